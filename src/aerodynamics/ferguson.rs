@@ -1,7 +1,7 @@
 use super::origin::{horner, polynomial};
-use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, RangeEnd, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above};
-use crate::parameters::Ferguson;
+use crate::parameters::{Ferguson, LawVariable};
 
 /// Spin ratios of the measured shots. Below this range a cubic replaces the lift coefficient,
 /// because the formula gives lift without spin.
@@ -40,7 +40,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Ferguson<T> {
             fitted: Fitted {
                 spin_ratio: Some(MEASURED),
                 to: "1040 radar flights, Ferguson, McNally & McPhee 2022",
-                held: [[false, true], [false; 2], [false; 2], [false; 2]],
+                held: &[(LawVariable::SpinRatio, RangeEnd::High)],
                 ..Fitted::UNKNOWN
             },
             continuous_derivatives: Some(2),

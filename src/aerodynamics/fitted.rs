@@ -1,57 +1,35 @@
 #[cfg(test)]
 use crate::json::JsonRange;
 use crate::json::range;
-use crate::units::{Digits, Message, Quantity};
+use crate::parameters::LawVariable;
+use crate::units::Message;
 use serde::{Serialize, Serializer};
 use std::fmt::{self, Display, Formatter};
 
-/// A variable of a law, and the range to which the law was fitted.
-#[derive(Clone, Copy, Debug)]
-pub struct FittedRange {
-    /// The name of the variable.
-    pub variable: &'static str,
-    /// Kind of quantity of the variable.
-    pub quantity: Quantity,
-    /// Unit in which texts print the variable; empty for a pure number.
-    pub unit: &'static str,
-    /// The range, SI; `None` if it is unknown.
-    pub range: Option<[f64; 2]>,
-}
-
-impl FittedRange {
-    /// Appends a range of this variable to a message: "70000 to 230000", or "at least 71000"
-    /// without an upper end.
-    pub fn in_words(&self, before: Message, [low, high]: [f64; 2]) -> Message {
-        let digits = Digits::Significant(3);
-        if high.is_infinite() {
-            return before
-                .words("at least ")
-                .quantity(self.quantity, self.unit, low, digits);
-        }
-        before
-            .quantity(self.quantity, self.unit, low, digits)
-            .words(" to ")
-            .quantity(self.quantity, self.unit, high, digits)
-    }
-}
-
-/// How a law continues beyond the ends of its ranges.
+/// An end of a range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Continuation {
-    /// The law is extrapolated at all ends.
-    Extrapolated,
-    /// The variable is clamped at all ends.
-    Held,
-    /// The law is extrapolated at some ends. At the other ends the variable is clamped.
-    ExtrapolatedOrHeld,
+pub enum RangeEnd {
+    /// The lower end.
+    Low,
+    /// The upper end.
+    High,
+}
+
+/// How a law continues beyond the exceeded ends of its ranges.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Continuation {
+    /// True if the law is extrapolated at an exceeded end.
+    pub is_extrapolated: bool,
+    /// True if the variable is clamped at an exceeded end.
+    pub is_held: bool,
 }
 
 impl Display for Continuation {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Extrapolated => "extrapolated",
-            Self::Held => "held",
-            Self::ExtrapolatedOrHeld => "extrapolated or held",
+        f.write_str(match (self.is_extrapolated, self.is_held) {
+            (true, true) => "extrapolated or held",
+            (false, true) => "held",
+            (_, false) => "extrapolated",
         })
     }
 }
@@ -85,10 +63,10 @@ pub struct Fitted {
     #[serde(serialize_with = "range")]
     #[cfg_attr(test, schemars(with = "Option<JsonRange>"))]
     pub speed: Option<[f64; 2]>,
-    /// For each end (below, above) of each range in [`ranges`](Self::ranges): true if the variable
-    /// is clamped beyond this end, false if the law is extrapolated.
+    /// The ends of the ranges beyond which the variable is clamped. Beyond the other ends the law
+    /// is extrapolated.
     #[serde(skip)]
-    pub held: [[bool; 2]; 4],
+    pub held: &'static [(LawVariable, RangeEnd)],
 }
 
 fn unless_empty<S: Serializer>(text: &str, serializer: S) -> Result<S::Ok, S::Error> {
@@ -106,86 +84,77 @@ impl Fitted {
         reynolds: None,
         speed: None,
         to: "",
-        held: [[false; 2]; 4],
+        held: &[],
     };
 
-    /// The ranges of spin ratio, spin, Reynolds number and airspeed.
-    pub fn ranges(&self) -> [FittedRange; 4] {
-        [
-            FittedRange {
-                variable: "spin ratio",
-                quantity: Quantity::NUMBER,
-                unit: "",
-                range: self.spin_ratio,
-            },
-            FittedRange {
-                variable: "spin",
-                quantity: Quantity::ANGULAR_VELOCITY,
-                unit: "rpm",
-                range: self.spin,
-            },
-            FittedRange {
-                variable: "Reynolds number",
-                quantity: Quantity::NUMBER,
-                unit: "",
-                range: self.reynolds,
-            },
-            FittedRange {
-                variable: "speed through the air",
-                quantity: Quantity::SPEED,
-                unit: "m/s",
-                range: self.speed,
-            },
-        ]
+    /// The range of a variable, SI; `None` if it is unknown.
+    pub fn range(&self, variable: LawVariable) -> Option<[f64; 2]> {
+        match variable {
+            LawVariable::SpinRatio => self.spin_ratio,
+            LawVariable::Spin => self.spin,
+            LawVariable::Reynolds => self.reynolds,
+            LawVariable::Speed => self.speed,
+        }
+    }
+
+    /// True if the range of no variable is known.
+    pub fn is_unknown(&self) -> bool {
+        LawVariable::ALL
+            .iter()
+            .all(|variable| self.range(*variable).is_none())
     }
 
     /// Appends the known ranges to a message: "spin ratio 0.06 to 0.33, Reynolds number 70000 to
     /// 230000".
-    pub fn in_words(&self, before: Message) -> Message {
-        let known = self
-            .ranges()
-            .into_iter()
-            .filter_map(|fitted| Some((fitted, fitted.range?)));
-        known
-            .enumerate()
-            .fold(before, |message, (i, (fitted, range))| {
-                let comma = if i == 0 { "" } else { ", " };
-                let message = message.words(format!("{comma}{} ", fitted.variable));
-                fitted.in_words(message, range)
-            })
-    }
-
-    /// How the law continues beyond the exceeded ends of its ranges. For each range,
-    /// `exceeded_ends` is true for an exceeded end (below, above).
-    pub(crate) fn continuation(&self, exceeded_ends: [[bool; 2]; 4]) -> Continuation {
-        let exceeded = exceeded_ends
-            .as_flattened()
-            .iter()
-            .zip(self.held.as_flattened())
-            .filter(|(is_exceeded, _)| **is_exceeded);
-        let (mut has_held, mut has_extrapolated) = (false, false);
-        for (_, is_held) in exceeded {
-            has_held |= is_held;
-            has_extrapolated |= !is_held;
+    pub fn in_words(&self, mut message: Message) -> Message {
+        let mut separator = "";
+        for variable in LawVariable::ALL {
+            if let Some(range) = self.range(variable) {
+                message = message.words(format!("{separator}{} ", variable.name()));
+                message = variable.append_range(message, range);
+                separator = ", ";
+            }
         }
-        match (has_extrapolated, has_held) {
-            (true, true) => Continuation::ExtrapolatedOrHeld,
-            (false, true) => Continuation::Held,
-            (_, false) => Continuation::Extrapolated,
+        message
+    }
+
+    /// How the law continues at the ends of the range of a variable that a flight exceeds. `flown`
+    /// has the least and the greatest value of the variable in the flight.
+    pub(crate) fn continuation(&self, variable: LawVariable, flown: [f64; 2]) -> Continuation {
+        let Some([low, high]) = self.range(variable) else {
+            return Continuation::default();
+        };
+        let mut continuation = Continuation::default();
+        for (is_exceeded, end) in [
+            (flown[0] < low, RangeEnd::Low),
+            (flown[1] > high, RangeEnd::High),
+        ] {
+            let is_held = self.held.contains(&(variable, end));
+            continuation.is_held |= is_exceeded && is_held;
+            continuation.is_extrapolated |= is_exceeded && !is_held;
         }
+        continuation
     }
 
-    /// For each range, true for the ends (below, above) that a flight exceeds. `flown` has the
-    /// least and the greatest value of each variable in the flight.
-    pub(crate) fn exceeded_ends(&self, flown: [[f64; 2]; 4]) -> [[bool; 2]; 4] {
-        let ranges = self
-            .ranges()
-            .map(|fitted| fitted.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]));
-        std::array::from_fn(|k| [flown[k][0] < ranges[k][0], flown[k][1] > ranges[k][1]])
+    /// How the law continues at all exceeded ends. `flown` has the range of each variable in the
+    /// flight.
+    pub(crate) fn continuation_of_all(
+        &self,
+        flown: impl Fn(LawVariable) -> [f64; 2],
+    ) -> Continuation {
+        let mut all = Continuation::default();
+        for variable in LawVariable::ALL {
+            let one = self.continuation(variable, flown(variable));
+            all.is_held |= one.is_held;
+            all.is_extrapolated |= one.is_extrapolated;
+        }
+        all
     }
 
-    /// True if spin ratio, spin, Reynolds number and airspeed are within all known ranges. Always
-    /// true in a vacuum (Reynolds number 0).
+    /// True if spin ratio, spin, Reynolds number and airspeed ([`Stream::variables`]) are within all
+    /// known ranges. Always true in a vacuum (Reynolds number 0).
+    ///
+    /// [`Stream::variables`]: super::Stream::variables
     #[inline]
     pub fn contains(&self, [spin_ratio, spin, reynolds, speed]: [f64; 4]) -> bool {
         let is_in = |range: Option<[f64; 2]>, value: f64| {

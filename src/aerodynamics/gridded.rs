@@ -3,7 +3,7 @@
 
 use super::{Coefficients, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
-use crate::parameters::{AxisVariable, CoefficientGrid, LawTableAxis};
+use crate::parameters::{CoefficientGrid, LawTableAxis};
 
 /// C_D and C_L of a grid, multiplied by `cd_factor` and `cl_factor`. Beyond the edges of the grid,
 /// speed and spin are clamped. `lift_onset` has a limit x₁ of the spin or spin ratio x. For x < x₁
@@ -32,7 +32,7 @@ pub(super) fn grid_coefficients<T: Numbers>(
         }
         let mut lift = cl_factor * lift;
         if let Some((variable, per_least)) = grid.lift_onset {
-            let part = value(variable, &stream) * per_least;
+            let part = stream.value(variable) * per_least;
             let short = T::constant(1.0) - part.select(T::constant(1.0), part.below(1.0));
             lift = lift * (T::constant(1.0) - short * short * short);
         }
@@ -41,16 +41,6 @@ pub(super) fn grid_coefficients<T: Numbers>(
             lift,
         }
     }))
-}
-
-#[inline(always)]
-fn value<T: Numbers>(variable: AxisVariable, stream: &Stream<T>) -> T {
-    match variable {
-        AxisVariable::SpinRatio => stream.spin_ratio(),
-        AxisVariable::Spin => stream.spin,
-        AxisVariable::Reynolds => stream.reynolds(),
-        AxisVariable::Speed => stream.speed,
-    }
 }
 
 /// The variable of an axis, clamped beyond the ends of the axis; 0 if `axis` is `None`.
@@ -65,7 +55,7 @@ fn coordinate<T: Numbers>(axis: &Option<LawTableAxis>, stream: &Stream<T>) -> T 
         return T::zero();
     };
     smooth_clamp_above(
-        smooth_clamp_below(value(variable, stream), first, under),
+        smooth_clamp_below(stream.value(variable), first, under),
         last,
         over,
     )

@@ -1,6 +1,6 @@
-use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, RangeEnd, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above};
-use crate::parameters::Lyu;
+use crate::parameters::{LawVariable, Lyu};
 
 /// Spin ratios of the measurements.
 const MEASURED: [f64; 2] = [0.045, 0.32];
@@ -52,7 +52,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Lyu<T> {
                 spin_ratio: Some(MEASURED),
                 reynolds: Some([5.1e4, 2e5]),
                 to: "balls shot through still air, Lyu, Kensrud, Smith & Tosaya 2018",
-                held: [[false, true], [false; 2], [false; 2], [false; 2]],
+                held: &[(LawVariable::SpinRatio, RangeEnd::High)],
                 ..Fitted::UNKNOWN
             },
             continuous_derivatives: Some(2),

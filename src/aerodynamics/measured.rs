@@ -1,7 +1,7 @@
 //! The published points to which the laws were fitted.
 
 use super::AerodynamicLaw;
-use crate::parameters::{AxisVariable, Law, LawTable};
+use crate::parameters::{Law, LawTable, LawVariable};
 use std::f64::consts::PI;
 
 /// A measured point. `spin_ratio` or `reynolds` is `None` if the source does not state it, for
@@ -72,19 +72,19 @@ impl Law<f64> {
 }
 
 fn tabulated(table: &LawTable, reynolds_per_speed: f64, radius: f64) -> Vec<MeasuredCoefficients> {
-    let has = |variable: AxisVariable| table.axes().any(|axis| axis.variable == variable);
+    let has = |variable: LawVariable| table.axes().any(|axis| axis.variable == variable);
     let node = |[speed, spin, drag, lift]: &[f64; 4]| {
-        let reynolds = if has(AxisVariable::Reynolds) {
+        let reynolds = if has(LawVariable::Reynolds) {
             Some(*speed)
         } else {
-            has(AxisVariable::Speed).then_some(reynolds_per_speed * speed)
+            has(LawVariable::Speed).then_some(reynolds_per_speed * speed)
         };
         // the spin ratio follows from the spin if the speed is known
         let at_speed = reynolds.map(|reynolds| reynolds / reynolds_per_speed);
         let by_spin = at_speed
-            .filter(|_| has(AxisVariable::Spin))
+            .filter(|_| has(LawVariable::Spin))
             .map(|speed| spin * radius / speed);
-        let spin_ratio = if has(AxisVariable::SpinRatio) {
+        let spin_ratio = if has(LawVariable::SpinRatio) {
             Some(*spin)
         } else {
             by_spin

@@ -22,10 +22,10 @@ mod usga_itr;
 mod winfield_tan;
 
 pub(crate) use fitted::Continuation;
-pub use fitted::{Fitted, FittedRange};
+pub use fitted::{Fitted, RangeEnd};
 
 use crate::number::Numbers;
-use crate::parameters::{Law, with_law};
+use crate::parameters::{Law, LawVariable, with_law};
 use serde::Serialize;
 
 /// Flow of the air past the ball, from which a law computes its variables.
@@ -75,7 +75,18 @@ impl<T: Numbers> Stream<T> {
         self.reynolds_per_speed * self.speed
     }
 
-    /// Spin ratio, spin, Reynolds number and airspeed: the order of [`Fitted::ranges`].
+    /// A variable of the law.
+    #[inline(always)]
+    pub fn value(&self, variable: LawVariable) -> T {
+        match variable {
+            LawVariable::SpinRatio => self.spin_ratio(),
+            LawVariable::Spin => self.spin,
+            LawVariable::Reynolds => self.reynolds(),
+            LawVariable::Speed => self.speed,
+        }
+    }
+
+    /// The variables in the order of [`LawVariable::ALL`].
     #[inline(always)]
     pub fn variables(&self) -> [T; 4] {
         [self.spin_ratio(), self.spin, self.reynolds(), self.speed]

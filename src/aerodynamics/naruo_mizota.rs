@@ -1,7 +1,7 @@
 use super::origin::{horner, polynomial};
-use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, RangeEnd, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above};
-use crate::parameters::NaruoMizota;
+use crate::parameters::{LawVariable, NaruoMizota};
 
 /// Spin ratios of the measurements. Below this range a cubic replaces the lift coefficient, because
 /// the formula gives lift without spin.
@@ -38,7 +38,7 @@ impl<T: Numbers> AerodynamicLaw<T> for NaruoMizota<T> {
                 spin_ratio: Some(MEASURED),
                 reynolds: Some([7.1e4, f64::INFINITY]),
                 to: "a wind tunnel, Naruo, Mizota & Shimozono 2004",
-                held: [[false, true], [false; 2], [false; 2], [false; 2]],
+                held: &[(LawVariable::SpinRatio, RangeEnd::High)],
                 ..Fitted::UNKNOWN
             },
             continuous_derivatives: Some(2),

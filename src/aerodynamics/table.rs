@@ -1,7 +1,28 @@
 use super::gridded::grid_coefficients;
-use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, RangeEnd, Stream};
 use crate::number::Numbers;
-use crate::parameters::{AxisVariable, Table};
+use crate::parameters::{LawVariable, Table};
+
+/// All ends of the axes of a table.
+const HELD: &[(LawVariable, RangeEnd)] = &[
+    (LawVariable::SpinRatio, RangeEnd::Low),
+    (LawVariable::SpinRatio, RangeEnd::High),
+    (LawVariable::Spin, RangeEnd::Low),
+    (LawVariable::Spin, RangeEnd::High),
+    (LawVariable::Reynolds, RangeEnd::Low),
+    (LawVariable::Reynolds, RangeEnd::High),
+    (LawVariable::Speed, RangeEnd::Low),
+    (LawVariable::Speed, RangeEnd::High),
+];
+/// All ends but the low end of the spin axis.
+const HELD_ABOVE_LEAST_SPIN: &[(LawVariable, RangeEnd)] = &[
+    (LawVariable::SpinRatio, RangeEnd::High),
+    (LawVariable::Spin, RangeEnd::High),
+    (LawVariable::Reynolds, RangeEnd::Low),
+    (LawVariable::Reynolds, RangeEnd::High),
+    (LawVariable::Speed, RangeEnd::Low),
+    (LawVariable::Speed, RangeEnd::High),
+];
 
 /// C_D = cd_factor D, C_L = cl_factor L, with the splines D and L through a user's own table,
 /// `aero.table`.
@@ -22,15 +43,6 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
                 .find(|axis| axis.variable == variable)
                 .map(|axis| axis.ends)
         };
-        // below the least spin the lift falls to 0
-        let lift_onset = self.table.grid.lift_onset.map(|(variable, _)| variable);
-        let is_held_below = |variable| lift_onset != Some(variable);
-        let held = [
-            [is_held_below(AxisVariable::SpinRatio), true],
-            [is_held_below(AxisVariable::Spin), true],
-            [true; 2],
-            [true; 2],
-        ];
         LawProperties {
             published: Published {
                 authors: "your own table",
@@ -39,12 +51,16 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
                 source: &self.table.file,
             },
             fitted: Fitted {
-                spin_ratio: range(AxisVariable::SpinRatio),
-                spin: range(AxisVariable::Spin),
-                reynolds: range(AxisVariable::Reynolds),
-                speed: range(AxisVariable::Speed),
+                spin_ratio: range(LawVariable::SpinRatio),
+                spin: range(LawVariable::Spin),
+                reynolds: range(LawVariable::Reynolds),
+                speed: range(LawVariable::Speed),
                 to: &self.table.description,
-                held,
+                held: match self.table.grid.lift_onset {
+                    // below the least spin the lift falls to 0
+                    Some(_) => HELD_ABOVE_LEAST_SPIN,
+                    None => HELD,
+                },
             },
             continuous_derivatives: Some(2),
             has_corner_at_zero_spin: self.table.grid.has_slope_at_zero_spin(),

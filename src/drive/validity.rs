@@ -271,7 +271,7 @@ impl ExceededLimits<Option<String>> {
 
 fn law_range_warning(subject: &str, law: &Law<f64>, scope: CheckScope) -> Message {
     let fitted = law.properties().fitted;
-    let how = fitted.continuation(fitted.exceeded_ends([[f64::NEG_INFINITY, f64::INFINITY]; 4]));
+    let how = fitted.continuation_of_all(|_| [f64::NEG_INFINITY, f64::INFINITY]);
     let outside = match scope {
         CheckScope::Launch => "the launch is outside of",
         CheckScope::Flight => "the flight leaves",
@@ -306,11 +306,9 @@ fn with_thresholds(message: Message, how: Continuation) -> Message {
                 Digits::Significant(1),
             )
     };
-    match how {
-        Continuation::Held => message.words(format!(", for {lasts}")),
-        Continuation::Extrapolated => with_change(message),
-        Continuation::ExtrapolatedOrHeld => {
-            with_change(message).words(format!(" or lasts {lasts}"))
-        }
+    match (how.is_extrapolated, how.is_held) {
+        (true, true) => with_change(message).words(format!(" or lasts {lasts}")),
+        (false, true) => message.words(format!(", for {lasts}")),
+        (_, false) => with_change(message),
     }
 }

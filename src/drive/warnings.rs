@@ -5,12 +5,12 @@ use super::validity::{
     with_flat_landing_warning,
 };
 use super::{Drive, Outcome};
-use crate::aerodynamics::{AerodynamicLaw, Stream};
+use crate::aerodynamics::{AerodynamicLaw, Continuation, Stream};
 use crate::atmosphere::{AirState, WindField};
 use crate::flight::{
     Flight, Inputs, Landed, TrajectoryPoint, change_by_holding, stays_within, trajectory_until,
 };
-use crate::parameters::Setup;
+use crate::parameters::{LawVariable, Setup};
 use crate::units::{Digits, Message, Quantity};
 use serde::Serialize;
 use std::sync::atomic::AtomicBool;
@@ -18,8 +18,7 @@ use std::sync::atomic::AtomicBool;
 /// A variable of a flight outside the range that the law was fitted to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Extrapolated {
-    /// Index of the variable in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
-    variable: usize,
+    variable: LawVariable,
     flown: FlownRange,
     /// Change of the carry, m, if the variable is held within the range. `None` if the change is at
     /// most 0.3 yd, or if the law itself holds the variable. Also `None` if the ball does not land.
@@ -168,22 +167,20 @@ impl Drive<f64> {
     /// [`LEAST_WARNED_SHARE`].
     pub(super) fn extrapolated(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<Extrapolated> {
         let fitted = setup.law.properties().fitted;
-        let ranges = fitted.ranges().map(|fitted| fitted.range);
-        if stays_within(setup, &self.launch, ranges, stop) {
+        if stays_within(setup, &self.launch, &fitted, stop) {
             return vec![];
         }
-        let one = |(variable, flown): (usize, Option<FlownRange>)| {
+        let one = |(variable, flown): (LawVariable, Option<FlownRange>)| {
             let flown = flown?;
-            let range = flown.fitted;
-            let [is_below, is_above] = [flown.flown[0] < range[0], flown.flown[1] > range[1]];
-            let [held_below, held_above] = fitted.held[variable];
             if flown.outside == 0.0 {
                 return None;
             }
-            let is_extrapolated = is_below && !held_below || is_above && !held_above;
-            let is_held = is_below && held_below || is_above && held_above;
+            let Continuation {
+                is_extrapolated,
+                is_held,
+            } = fitted.continuation(variable, flown.flown);
             let change = is_extrapolated
-                .then(|| change_by_holding(setup, &self.launch, variable, range, stop))
+                .then(|| change_by_holding(setup, &self.launch, variable, flown.fitted, stop))
                 .flatten();
             let has_share = (is_held || change.is_none()) && flown.outside >= LEAST_WARNED_SHARE;
             let change = change.filter(|change| change.abs() > LEAST_WARNED_CHANGE);
@@ -193,7 +190,9 @@ impl Drive<f64> {
                 change,
             })
         };
-        let flown = self.flown_ranges(setup, stop).into_iter().enumerate();
+        let flown = LawVariable::ALL
+            .into_iter()
+            .zip(self.flown_ranges(setup, stop));
         flown.filter_map(one).collect()
     }
 
@@ -201,53 +200,43 @@ impl Drive<f64> {
     pub(super) fn law_warnings(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<Message> {
         let fitted = setup.law.properties().fitted;
         let name = setup.law.name();
-        let ranges = fitted.ranges();
-        let warning = |Extrapolated {
-                           variable: k,
-                           flown,
-                           change,
-                       }: Extrapolated| {
-            let fitted_range = ranges[k];
-            let [low, high] = fitted_range.range?;
-            let [least, greatest] = flown.flown;
-            let mut exceeded_ends = [[false; 2]; 4];
-            exceeded_ends[k] = [least < low, greatest > high];
-            let how = fitted.continuation(exceeded_ends);
+        let warning = |extrapolated: Extrapolated| {
+            let Extrapolated {
+                variable,
+                flown,
+                change,
+            } = extrapolated;
+            let how = fitted.continuation(variable, flown.flown);
             let percent = 100.0 * flown.outside;
-            let variable = fitted_range.variable;
-            let message = format!("the law {name} was fitted to a {variable} of ").into();
-            let message = fitted_range
-                .in_words(message, [low, high])
+            let beginning = format!("the law {name} was fitted to a {} of ", variable.name());
+            let message = variable
+                .append_range(beginning.into(), flown.fitted)
                 .words(format!(" ({}); in this flight it is ", fitted.to));
-            let message = fitted_range.in_words(message, flown.flown).words(format!(
+            let message = variable.append_range(message, flown.flown).words(format!(
                 ", and outside of that range for {percent:.0} % of the time, where the law is {how}"
             ));
-            Some(match change {
+            match change {
                 None => message,
                 Some(change) => message.words("; ").message(carry_with_law_held(change)),
-            })
+            }
         };
         let extrapolated = self.extrapolated(setup, stop).into_iter();
-        extrapolated.filter_map(warning).collect()
+        extrapolated.map(warning).collect()
     }
 
     /// The fitted range of each variable of the law, and its range in the flight, in the order of
-    /// [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges). `None` for a variable without a
-    /// known fitted range, and for all variables if there is no air or no flight, or once `stop` is
-    /// true.
+    /// [`LawVariable::ALL`]. `None` for a variable without a known fitted range, and for all
+    /// variables if there is no air or no flight, or once `stop` is true.
     pub fn flown_ranges(&self, setup: &Setup<f64>, stop: &AtomicBool) -> [Option<FlownRange>; 4] {
-        let ranges = setup
-            .law
-            .properties()
-            .fitted
-            .ranges()
-            .map(|fitted| fitted.range);
-        if AirState::of(&setup.air).density == 0.0 || ranges == [None; 4] {
+        let fitted = setup.law.properties().fitted;
+        if AirState::of(&setup.air).density == 0.0 || fitted.is_unknown() {
             return [None; 4];
         }
         let path = self.stream(setup, stop);
         std::array::from_fn(|k| {
-            let fitted @ [low, high] = ranges[k].filter(|_| !path.is_empty())?;
+            let fitted @ [low, high] = fitted
+                .range(LawVariable::ALL[k])
+                .filter(|_| !path.is_empty())?;
             let values = path.iter().map(|(time, values)| (*time, values[k]));
             let outside = share(values.clone(), |value| !(low..=high).contains(&value));
             let flown = values.fold(

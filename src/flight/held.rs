@@ -4,20 +4,15 @@
 use super::inputs::Inputs;
 use super::motion::StepNode;
 use super::result::RequestedOutputs;
-use crate::aerodynamics::{AerodynamicLaw, Coefficients, LawProperties, Stream};
+use crate::aerodynamics::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Stream};
 use crate::launch::Launch;
-use crate::parameters::{Law, Method, Setup};
+use crate::parameters::{Law, LawVariable, Method, Setup};
 use std::sync::atomic::AtomicBool;
-
-/// Indices in [`Stream::variables`].
-const SPIN_RATIO: usize = 0;
-const SPIN: usize = 1;
-const REYNOLDS: usize = 2;
 
 /// A law with one of its variables clamped to a range.
 struct HeldLaw {
     law: Law<f64>,
-    variable: usize,
+    variable: LawVariable,
     range: [f64; 2],
     /// True if the law is stated in the spin, false if it is stated in the spin ratio.
     is_of_spin: bool,
@@ -32,13 +27,14 @@ impl HeldLaw {
         let [low, high] = self.range;
         let mut held = stream;
         match self.variable {
-            SPIN_RATIO => {
+            LawVariable::SpinRatio => {
                 held.spin = stream.spin_ratio().clamp(low, high) * stream.speed / stream.radius
             }
-            SPIN => held.spin = stream.spin.clamp(low, high),
-            REYNOLDS => held.reynolds_per_speed = stream.reynolds().clamp(low, high) / stream.speed,
-            // the remaining variable is the airspeed
-            _ => {
+            LawVariable::Spin => held.spin = stream.spin.clamp(low, high),
+            LawVariable::Reynolds => {
+                held.reynolds_per_speed = stream.reynolds().clamp(low, high) / stream.speed;
+            }
+            LawVariable::Speed => {
                 let speed = stream.speed.clamp(low, high);
                 let spin = if self.is_of_spin {
                     stream.spin
@@ -71,7 +67,7 @@ const LARGEST_STEP: f64 = 0.01;
 pub(crate) fn change_by_holding(
     setup: &Setup<f64>,
     launch: &Launch<f64>,
-    variable: usize,
+    variable: LawVariable,
     range: [f64; 2],
     stop: &AtomicBool,
 ) -> Option<f64> {
@@ -95,13 +91,12 @@ pub(crate) fn change_by_holding(
     (own.has_landed && held.has_landed).then_some(held.landed.carry - own.landed.carry)
 }
 
-/// True if the variables of the law ([`Stream::variables`]) stay within `ranges` during the whole
-/// flight. They are checked at the nodes, with a margin for their change between two nodes. False
+/// True if the variables of the law stay within their fitted ranges during the whole flight. They are checked at the nodes, with a margin for their change between two nodes. False
 /// if a variable may leave its range, or if the flight cannot be computed.
 pub(crate) fn stays_within(
     setup: &Setup<f64>,
     launch: &Launch<f64>,
-    ranges: [Option<[f64; 2]>; 4],
+    fitted: &Fitted,
     stop: &AtomicBool,
 ) -> bool {
     let inputs = Inputs::new(setup, launch, false);
@@ -112,12 +107,12 @@ pub(crate) fn stays_within(
         // with the acceleration a, the airspeed v has v″ ≤ a²/v: it rises by at most (h a)²/(8 v)
         // within half a step h from a minimum; the margin is twice this rise, relative to v
         let margin = (h * node.rate.acceleration.norm() / speed).powi(2) * 0.25;
-        let is_within = |(value, range): (f64, Option<[f64; 2]>)| {
-            range.is_none_or(|[low, high]| {
+        LawVariable::ALL.into_iter().all(|variable| {
+            let value = stream.value(variable);
+            fitted.range(variable).is_none_or(|[low, high]| {
                 low <= value * (1.0 - margin) && value * (1.0 + margin) <= high
             })
-        };
-        stream.variables().into_iter().zip(ranges).all(is_within)
+        })
     };
     let mut stays = true;
     let flight = inputs.fly(
@@ -132,7 +127,7 @@ mod tests {
     use super::change_by_holding;
     use crate::Setup;
     use crate::drive::Drive;
-    use crate::parameters::Method;
+    use crate::parameters::{LawVariable, Method};
     use std::sync::atomic::AtomicBool;
 
     /// Holding a variable within a range that contains the whole flight does not change the carry.
@@ -143,12 +138,14 @@ mod tests {
         setup.set("wind.downrange", "-5 m/s").unwrap();
         let drive = Drive::new(&setup).unwrap();
         let never = AtomicBool::new(false);
-        for variable in 0..4 {
+        for variable in LawVariable::ALL {
             let change =
                 change_by_holding(&setup, &drive.launch, variable, [0.0, 1e9], &never).unwrap();
-            assert!(change.abs() < 1e-9, "{variable}: {change}");
+            assert!(change.abs() < 1e-9, "{variable:?}: {change}");
         }
-        let no_spin = change_by_holding(&setup, &drive.launch, 0, [0.0, 1e-6], &never).unwrap();
+        let variable = LawVariable::SpinRatio;
+        let no_spin =
+            change_by_holding(&setup, &drive.launch, variable, [0.0, 1e-6], &never).unwrap();
         assert!(no_spin < -20.0, "{no_spin}");
     }
 

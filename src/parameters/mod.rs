@@ -37,8 +37,8 @@ pub use file::SetupFile;
 pub(crate) use file::{in_file, place_in};
 pub use idle::idle_warnings;
 pub use launch::is_of_strike;
-pub use law_table::{AxisVariable, LawTable, LawTableAxis, TABLE, TABLE_LAW};
 pub(crate) use law_table::{Cell, CoefficientGrid, Surface, cells_of};
+pub use law_table::{LawTable, LawTableAxis, LawVariable, TABLE, TABLE_LAW};
 #[cfg(feature = "studies")]
 pub(crate) use number_table::{NumberTable, TableFault};
 pub use presets::{DEFAULT_PRESET, PRESETS, Preset, PresetEntry};

@@ -3,7 +3,7 @@
 use crate::command_line::{json, longdrive, number, on_one_line};
 use longdrive::aerodynamics::{AerodynamicLaw, Coefficients, Stream};
 use longdrive::number::Number;
-use longdrive::parameters::Law;
+use longdrive::parameters::{Law, LawVariable};
 use longdrive::report::figures::{Coefficient, Over, laws_figure};
 use longdrive::report::plot::{Hue, Look, figure_svg};
 use longdrive::units::Message;
@@ -524,10 +524,10 @@ fn each_law_is_listed_with_authors_ball_range_and_source() {
 #[test]
 fn a_range_without_an_upper_end_prints_as_at_least() {
     let fitted = Law::named("naruo-mizota").unwrap().properties().fitted;
-    let [.., reynolds, _] = fitted.ranges();
-    let range = reynolds.in_words(Message::default(), reynolds.range.unwrap());
+    let variable = LawVariable::Reynolds;
+    let range = variable.append_range(Message::default(), fitted.range(variable).unwrap());
     assert_eq!(
-        (reynolds.variable, range.to_string().as_str()),
+        (variable.name(), range.to_string().as_str()),
         ("Reynolds number", "at least 71000")
     );
 }

@@ -3,7 +3,7 @@
 use crate::command_line::{json, longdrive, number};
 use longdrive::aerodynamics::{AerodynamicLaw, Coefficients, Stream};
 use longdrive::number::Number;
-use longdrive::parameters::{AxisVariable, Law, LawTable, TABLE};
+use longdrive::parameters::{Law, LawTable, LawVariable, TABLE};
 use longdrive::study::certificate::certify;
 use longdrive::{Drive, Outcome, Setup};
 use num_dual::Dual2_64;
@@ -592,7 +592,7 @@ fn a_drive_beyond_its_table_has_a_warning() {
     let table = LawTable::open(Path::new(&name)).unwrap();
     assert_eq!(
         table.axes().map(|axis| axis.variable).collect::<Vec<_>>(),
-        [AxisVariable::Speed, AxisVariable::Spin]
+        [LawVariable::Speed, LawVariable::Spin]
     );
 }
 

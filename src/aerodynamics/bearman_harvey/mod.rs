@@ -1,10 +1,10 @@
 mod grid;
 
 use super::gridded::grid_coefficients;
-use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, RangeEnd, Stream};
 use crate::number::Numbers;
 use crate::parameters::{
-    AxisVariable, BearmanHarvey, Cell, CoefficientGrid, LawTableAxis, Surface, cells_of,
+    BearmanHarvey, Cell, CoefficientGrid, LawTableAxis, LawVariable, Surface, cells_of,
 };
 use crate::units::RPM;
 use grid::{DRAG, LIFT, SPEEDS, SPINS};
@@ -39,16 +39,16 @@ static GRID: LazyLock<CoefficientGrid> = LazyLock::new(|| {
     let [slowest, .., fastest] = SPEEDS;
     CoefficientGrid {
         spin: Some(LawTableAxis {
-            variable: AxisVariable::Spin,
+            variable: LawVariable::Spin,
             ends: [least, most],
             over: [SPIN_OVER * RPM; 2],
         }),
         speed: Some(LawTableAxis {
-            variable: AxisVariable::Speed,
+            variable: LawVariable::Speed,
             ends: [slowest, fastest],
             over: SPEED_OVER,
         }),
-        lift_onset: Some((AxisVariable::Spin, 1.0 / least)),
+        lift_onset: Some((LawVariable::Spin, 1.0 / least)),
         surface: Surface::new(&SPEEDS, SPIN_OF_ROW.as_slice(), CELLS.as_slice()),
     }
 });
@@ -77,7 +77,10 @@ impl<T: Numbers> AerodynamicLaw<T> for BearmanHarvey<T> {
                 to: "a wind tunnel, Bearman & Harvey 1976",
                 // below the least spin the lift falls to 0; above 80.2 m/s the law is extrapolated:
                 // the speed is clamped only above the last column of the grid, 88.1 m/s
-                held: [[false; 2], [false, true], [false; 2], [true, false]],
+                held: &[
+                    (LawVariable::Spin, RangeEnd::High),
+                    (LawVariable::Speed, RangeEnd::Low),
+                ],
                 ..Fitted::UNKNOWN
             },
             continuous_derivatives: Some(2),

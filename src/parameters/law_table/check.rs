@@ -2,7 +2,7 @@
 //! negative drag.
 
 use super::super::number_table::TableFault;
-use super::grid::{AxisVariable, CoefficientGrid, LawTableAxis};
+use super::grid::{CoefficientGrid, LawTableAxis, LawVariable};
 use super::read::{GridNode, GridNodes};
 use super::surface::{Cell, Surface, intervals, stored_cells};
 
@@ -60,7 +60,7 @@ pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, TableFault> {
             ends: [least, _],
             ..
         }) => Some((variable, 1.0 / least)),
-        None => Some((AxisVariable::SpinRatio, 1.0 / FULL_LIFT)),
+        None => Some((LawVariable::SpinRatio, 1.0 / FULL_LIFT)),
     };
     let counts = [speeds.len(), spins.len()];
     let cells = stored_cells(&speeds, &spins, [&drag, &lift]);
@@ -78,7 +78,7 @@ pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, TableFault> {
 /// The lines of the grid along an axis, in ascending order.
 fn grid_lines(
     values: impl Iterator<Item = f64>,
-    variable: Option<AxisVariable>,
+    variable: Option<LawVariable>,
 ) -> Result<Vec<f64>, TableFault> {
     let mut lines: Vec<f64> = values.collect();
     lines.sort_by(f64::total_cmp);
@@ -88,7 +88,10 @@ fn grid_lines(
         .windows(2)
         .find(|pair| pair[1] - pair[0] <= LEAST_DISTANCE * most);
     if let (Some(pair), Some(variable)) = (close, variable) {
-        let (name, si) = (variable.names()[0], variable.display_unit().quantity.si);
+        let (name, si) = (
+            variable.column_names()[0],
+            variable.display_unit().quantity.si,
+        );
         let both = format!("{name} {:?} and {:?} {si}", pair[0], pair[1]);
         let reason = format!(
             "{} are nearly the same; write one number for both",
@@ -151,7 +154,7 @@ fn full_grid<'a>(
     Ok(sorted)
 }
 
-fn axis(variable: AxisVariable, lines: &[f64]) -> LawTableAxis {
+fn axis(variable: LawVariable, lines: &[f64]) -> LawTableAxis {
     let last = lines.len() - 1;
     // with a single line the surface is constant, and the width has no effect
     let over = if last == 0 {
@@ -254,7 +257,7 @@ fn place(nodes: &GridNodes, speed: f64, spin: f64) -> String {
         .filter_map(|(variable, value)| {
             let variable = variable?;
             let shown = variable.display_unit().show(value);
-            Some(format!("{} {shown}", variable.names()[0]))
+            Some(format!("{} {shown}", variable.column_names()[0]))
         })
         .collect::<Vec<_>>()
         .join(", ")

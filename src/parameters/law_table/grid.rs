@@ -1,9 +1,9 @@
 use super::surface::Surface;
-use crate::units::{DisplayUnit, Quantity};
+use crate::units::{Digits, DisplayUnit, Message, Quantity};
 
-/// Variable of an axis of a table of drag and lift.
+/// A variable of a law of drag and lift, or of an axis of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AxisVariable {
+pub enum LawVariable {
     /// Spin ratio s = R|ω|/|v|.
     SpinRatio,
     /// Spin |ω|, rad/s.
@@ -14,12 +14,22 @@ pub enum AxisVariable {
     Speed,
 }
 
-impl AxisVariable {
+impl LawVariable {
     /// All variables.
     pub const ALL: [Self; 4] = [Self::SpinRatio, Self::Spin, Self::Reynolds, Self::Speed];
 
+    /// The name in messages.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::SpinRatio => "spin ratio",
+            Self::Spin => "spin",
+            Self::Reynolds => "Reynolds number",
+            Self::Speed => "speed through the air",
+        }
+    }
+
     /// Names in column heads, lower case.
-    pub fn names(self) -> &'static [&'static str] {
+    pub fn column_names(self) -> &'static [&'static str] {
         match self {
             Self::SpinRatio => &["spin_ratio", "s"],
             Self::Spin => &["spin"],
@@ -38,6 +48,22 @@ impl AxisVariable {
         DisplayUnit { quantity, unit }
     }
 
+    /// Appends a range of this variable, SI, to a message: "70000 to 230000", or "at least 71000"
+    /// without an upper end.
+    pub fn append_range(self, before: Message, [low, high]: [f64; 2]) -> Message {
+        let DisplayUnit { quantity, unit } = self.display_unit();
+        let digits = Digits::Significant(3);
+        if high.is_infinite() {
+            return before
+                .words("at least ")
+                .quantity(quantity, unit, low, digits);
+        }
+        before
+            .quantity(quantity, unit, low, digits)
+            .words(" to ")
+            .quantity(quantity, unit, high, digits)
+    }
+
     /// True for a variable of the spin axis, false for a variable of the speed axis.
     pub fn is_of_spin(self) -> bool {
         matches!(self, Self::SpinRatio | Self::Spin)
@@ -48,7 +74,7 @@ impl AxisVariable {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LawTableAxis {
     /// Variable.
-    pub variable: AxisVariable,
+    pub variable: LawVariable,
     /// First and last value, SI.
     pub ends: [f64; 2],
     /// Widths of the smooth (C²) clamps below the first and above the last value, SI.
@@ -63,7 +89,7 @@ pub(crate) struct CoefficientGrid {
     pub spin: Option<LawTableAxis>,
     /// Variable (spin ratio or spin) with a limit below which the lift falls smoothly to 0, and the
     /// reciprocal of this limit, SI. `None` if the grid begins at zero spin.
-    pub lift_onset: Option<(AxisVariable, f64)>,
+    pub lift_onset: Option<(LawVariable, f64)>,
     pub surface: Surface,
 }
 

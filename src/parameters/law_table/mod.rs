@@ -6,7 +6,7 @@ mod read;
 mod surface;
 
 pub(crate) use grid::CoefficientGrid;
-pub use grid::{AxisVariable, LawTableAxis};
+pub use grid::{LawTableAxis, LawVariable};
 pub(crate) use surface::{Cell, Surface, cells_of};
 
 use super::number_table::TableFault;
@@ -102,7 +102,7 @@ impl LawTable {
     }
 }
 
-fn fingerprint<'a>(axes: impl Iterator<Item = &'a AxisVariable>, nodes: &[[f64; 4]]) -> u64 {
+fn fingerprint<'a>(axes: impl Iterator<Item = &'a LawVariable>, nodes: &[[f64; 4]]) -> u64 {
     let mut fingerprint = Fingerprint::new();
     for variable in axes {
         fingerprint.add(f64::from(*variable as u8));

@@ -2,7 +2,7 @@
 
 use super::super::number_table::{NumberRow, NumberTable, TableFault};
 use super::super::range::Range;
-use super::grid::AxisVariable;
+use super::grid::LawVariable;
 use crate::error::Error;
 use crate::units::{DisplayUnit, Quantity};
 use csv::StringRecord;
@@ -23,14 +23,14 @@ pub(super) struct GridNode {
 
 /// The rows of a table, and the variables of its axes.
 pub(super) struct GridNodes {
-    pub speed: Option<AxisVariable>,
-    pub spin: Option<AxisVariable>,
+    pub speed: Option<LawVariable>,
+    pub spin: Option<LawVariable>,
     pub rows: Vec<GridNode>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum LawColumnContent {
-    Axis(AxisVariable),
+    Axis(LawVariable),
     Drag,
     Lift,
 }
@@ -148,22 +148,22 @@ fn column(head: &str) -> Result<LawColumn, String> {
     let content = match small.as_str() {
         "cd" => LawColumnContent::Drag,
         "cl" => LawColumnContent::Lift,
-        _ => match AxisVariable::ALL
+        _ => match LawVariable::ALL
             .into_iter()
-            .find(|variable| variable.names().contains(&small.as_str()))
+            .find(|variable| variable.column_names().contains(&small.as_str()))
         {
             Some(variable) => LawColumnContent::Axis(variable),
             None => {
-                let names = AxisVariable::ALL
+                let names = LawVariable::ALL
                     .into_iter()
-                    .flat_map(|variable| variable.names().iter().copied())
+                    .flat_map(|variable| variable.column_names().iter().copied())
                     .chain(["cd", "cl"]);
                 return Err(Error::unknown("column", name, names, COLUMNS).to_string());
             }
         },
     };
     let unit_size = match (content, unit) {
-        (LawColumnContent::Axis(variable @ (AxisVariable::Spin | AxisVariable::Speed)), unit) => {
+        (LawColumnContent::Axis(variable @ (LawVariable::Spin | LawVariable::Speed)), unit) => {
             let DisplayUnit {
                 quantity,
                 unit: usual,
@@ -199,10 +199,10 @@ fn column(head: &str) -> Result<LawColumn, String> {
 /// Checks that a value is physically possible.
 fn in_range(column: &LawColumn, value: f64) -> Result<f64, String> {
     let range = match column.content {
-        LawColumnContent::Axis(AxisVariable::SpinRatio) => Range::from_to(0.0, 1e3),
-        LawColumnContent::Axis(AxisVariable::Spin) => Range::from_to(0.0, 1e5),
-        LawColumnContent::Axis(AxisVariable::Reynolds) => Range::above_to(0.0, 1e9),
-        LawColumnContent::Axis(AxisVariable::Speed) => Range::above_to(0.0, 1e3),
+        LawColumnContent::Axis(LawVariable::SpinRatio) => Range::from_to(0.0, 1e3),
+        LawColumnContent::Axis(LawVariable::Spin) => Range::from_to(0.0, 1e5),
+        LawColumnContent::Axis(LawVariable::Reynolds) => Range::above_to(0.0, 1e9),
+        LawColumnContent::Axis(LawVariable::Speed) => Range::above_to(0.0, 1e3),
         LawColumnContent::Drag => Range::from_to(0.0, 100.0),
         LawColumnContent::Lift => Range::from_to(-100.0, 100.0),
     };

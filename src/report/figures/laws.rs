@@ -267,13 +267,12 @@ impl LawPlot {
         let fitted = law.properties().fitted;
         let points = self.points(law, &fitted);
         let (within, beyond) = (pieces(&points, true), pieces(&points, false));
-        let [first, last] = self.range.map(|at| self.stream(at).variables());
-        let range = std::array::from_fn(|variable| [first[variable], last[variable]]);
+        let range = |variable| self.range.map(|at| self.stream(at).value(variable));
         // without a solid line, the dashed line is not the continuation of another
         let remark = if within.is_empty() {
             String::new()
         } else {
-            fitted.continuation(fitted.exceeded_ends(range)).to_string()
+            fitted.continuation_of_all(range).to_string()
         };
         let line = |is_dashed: bool, points: Vec<[f64; 2]>| {
             Layer::new(law.name(), hue, Shape::Line { is_dashed, points })
@@ -286,12 +285,11 @@ impl LawPlot {
     /// The points of a law's curve, each with a flag that is true within the fitted range.
     fn points(&self, law: &Law<f64>, fitted: &Fitted) -> Vec<([f64; 2], bool)> {
         let [low, high] = self.range;
-        let is_known = fitted.ranges().iter().any(|fitted| fitted.range.is_some());
         let point = |k: usize| {
             let at = low + (high - low) * k as f64 / STEPS as f64;
             let stream = self.stream(at);
             let Coefficients { drag, lift } = law.coefficients(stream);
-            let is_within = is_known && fitted.contains(stream.variables());
+            let is_within = !fitted.is_unknown() && fitted.contains(stream.variables());
             ([at, [drag, lift][self.of as usize]], is_within)
         };
         (0..=STEPS).map(point).collect()
