@@ -102,6 +102,7 @@ mod uncertainty;
 mod units;
 mod validation;
 mod verdicts;
+mod verification;
 mod verify;
 mod verify_ranges;
 mod warnings;
