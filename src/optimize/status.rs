@@ -178,7 +178,7 @@ pub(super) fn gradient_test(residual: KktResidual, tolerance: f64) -> Option<Sea
 /// True if the predicted reduction is within the rounding of the merit function. A small KKT
 /// residual alone does not end a search: if f contains a large constant, any derivative is small
 /// relative to f.
-pub(super) fn gain_test(state: &mut SearchState) -> bool {
+pub(super) fn model_predicts_no_gain(state: &mut SearchState) -> bool {
     let step = state.trial_step();
     state.predicted_reduction(&step) <= NOISE * state.merit_size()
 }

@@ -7,8 +7,8 @@ use super::saddle::ReducedFunction;
 use super::sqp::Sqp;
 use super::state::{Evaluate, SearchState};
 use super::status::{
-    SearchVerdict, Status, gain_test, gradient_test, infeasible, infeasible_test, is_diverging,
-    kink_test, progress_test, radius_test, rounding_test, unbounded_test,
+    SearchVerdict, Status, gradient_test, infeasible, infeasible_test, is_diverging, kink_test,
+    model_predicts_no_gain, progress_test, radius_test, rounding_test, unbounded_test,
 };
 use super::trial_step::{NOISE, TrialStep};
 use argmin::core::Error;
@@ -90,7 +90,7 @@ impl Sqp {
             return Some(verdict);
         }
         if let Some(verdict) = gradient_test(residual, tolerance).filter(|_| is_bounded(tolerance))
-            && gain_test(state)
+            && model_predicts_no_gain(state)
         {
             return Some(verdict);
         }
