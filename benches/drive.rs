@@ -81,20 +81,16 @@ impl Fastest {
 fn main() {
     let setup = Setup::preset("mae494").expect("a preset of this name");
     let named = |names: &[&str]| -> Vec<&'static Parameter> {
-        names
-            .iter()
-            .map(|name| setup.variable(name).expect("a parameter of this name"))
-            .collect()
+        setup
+            .variables_named(names)
+            .expect("parameters of these names")
     };
     let (two, twelve, all) = (named(&TWELVE[..2]), named(&TWELVE), setup.variables());
     let derivatives = |wrt: &[&'static Parameter], order| {
         evaluate(black_box(&setup), &[Outcome::Carry], wrt, order)
     };
     let ranges = ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"];
-    let vary: Vec<Vary> = ranges
-        .iter()
-        .map(|text| Vary::read(&setup, text).expect("a range"))
-        .collect();
+    let vary = Vary::read_all(&setup, ranges).expect("ranges");
     let search = Search {
         vary,
         ..Search::longest_drive(&setup).expect("the default search")

@@ -28,10 +28,7 @@ fn main() -> longdrive::Result<()> {
         }
     }
 
-    let pair = ["club.loft", "swing.attack_angle"]
-        .map(|name| setup.variable(name))
-        .into_iter()
-        .collect::<longdrive::Result<Vec<_>>>()?;
+    let pair = setup.variables_named(["club.loft", "swing.attack_angle"])?;
     let carry = hessian(&setup, Outcome::Carry, &pair)?;
     println!(
         "\nHessian of carry by loft and attack angle, m per rad²: {:?}",

@@ -29,10 +29,7 @@ fn main() -> Result<()> {
     let search = Search {
         of,
         sense: Sense::Maximize,
-        vary: vary
-            .iter()
-            .map(|text| Vary::read(&setup, text))
-            .collect::<Result<_>>()?,
+        vary: Vary::read_all(&setup, vary)?,
         scenarios: Scenarios::new(&swings, rule)?,
         ..Search::largest(Outcome::Carry)
     };

@@ -12,10 +12,7 @@ fn main() -> longdrive::Result<()> {
     setup.set("swing.speed", "85 mph")?;
     let vary = ["club.loft=6deg..18deg", "swing.attack_angle=-5deg..3deg"];
     let search = Search {
-        vary: vary
-            .iter()
-            .map(|text| Vary::read(&setup, text))
-            .collect::<longdrive::Result<_>>()?,
+        vary: Vary::read_all(&setup, vary)?,
         ..Search::largest(Outcome::Carry)
     };
 

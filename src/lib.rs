@@ -19,7 +19,7 @@
 //! use longdrive::{Outcome, Setup, derivative};
 //!
 //! let setup = Setup::preset("mae494").unwrap();
-//! let wrt = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
+//! let wrt = setup.variables_named(["club.loft", "swing.attack_angle"]).unwrap();
 //! let carry = derivative::gradient(&setup, Outcome::Carry, &wrt).unwrap();
 //! assert!((carry.value - 114.312855130798).abs() < 1e-9); // m, at loft 10°, attack 0°
 //! assert!((carry.gradient[0] - 336.769746388603).abs() < 1e-8); // m per radian of loft

@@ -67,10 +67,7 @@ pub fn variables(
         return Ok(all_variables(setup, of));
     }
     refuse_repeated("wrt", names.iter().map(String::as_str))?;
-    Ok(names
-        .iter()
-        .map(|name| setup.variable(name))
-        .collect::<longdrive::Result<_>>()?)
+    Ok(setup.variables_named(names)?)
 }
 
 /// Refuses a repeated name, which would have two places in an array.

@@ -21,8 +21,5 @@ pub fn default_variables(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> 
     if setup.launch.is_given() {
         return Ok(setup.given_launch_conditions());
     }
-    ["club.loft", "swing.attack_angle"]
-        .into_iter()
-        .map(|name| setup.variable(name))
-        .collect()
+    setup.variables_named(["club.loft", "swing.attack_angle"])
 }

@@ -679,6 +679,20 @@ impl Setup<f64> {
         }
     }
 
+    /// The parameters of these names, each as [`variable`](Self::variable).
+    ///
+    /// # Errors
+    /// The errors of [`variable`](Self::variable).
+    pub fn variables_named(
+        &self,
+        names: impl IntoIterator<Item = impl AsRef<str>>,
+    ) -> Result<Vec<&'static Parameter>> {
+        names
+            .into_iter()
+            .map(|name| self.variable(name.as_ref()))
+            .collect()
+    }
+
     /// The parameter of this name, if the drives of a batch may differ in it. It may be unset or
     /// infinite in this setup.
     ///

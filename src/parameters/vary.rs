@@ -33,6 +33,27 @@ impl Vary {
         Self::read_of(text, |name| setup.variable(name))
     }
 
+    /// Parses the texts of several ranges.
+    ///
+    /// ```
+    /// use longdrive::{Setup, parameters::Vary};
+    /// let texts = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
+    /// let vary = Vary::read_all(&Setup::modern_driver(), texts).unwrap();
+    /// assert_eq!(vary[1].parameter.name, "swing.attack_angle");
+    /// ```
+    ///
+    /// # Errors
+    /// The errors of [`read`](Self::read).
+    pub fn read_all(
+        setup: &Setup<f64>,
+        texts: impl IntoIterator<Item = impl AsRef<str>>,
+    ) -> Result<Vec<Self>> {
+        texts
+            .into_iter()
+            .map(|text| Self::read(setup, text.as_ref()))
+            .collect()
+    }
+
     /// Like [`read`](Self::read), for a parameter that need not have a value in the setup, because
     /// each drive of a batch has its own value.
     ///

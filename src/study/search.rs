@@ -114,12 +114,8 @@ impl Search {
     /// to vary.
     pub fn longest_drive(setup: &Setup<f64>) -> Result<Self> {
         let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
-        let vary = vary
-            .iter()
-            .map(|text| Vary::read(setup, text))
-            .collect::<Result<_>>()?;
         Ok(Self {
-            vary,
+            vary: Vary::read_all(setup, vary)?,
             ..Self::largest(Outcome::Carry)
         })
     }

@@ -73,7 +73,7 @@ fn in_space(by: &Discretization) -> Result<Setup<f64>> {
 }
 
 pub fn named(setup: &Setup<f64>, names: &[&str]) -> Result<Vec<&'static Parameter>> {
-    names.iter().map(|name| setup.variable(name)).collect()
+    setup.variables_named(names)
 }
 
 /// Loft and attack angle.
@@ -95,10 +95,7 @@ const TABLE_2: [f64; 13] = [
 fn winfield_tan(within: Option<f64>) -> Result<Operation> {
     let mut setup = Setup::preset("winfield-tan")?;
     let vary = ["club.loft=2deg..18deg", "swing.attack_angle=-10deg..30deg"];
-    let vary = vary
-        .iter()
-        .map(|text| Vary::read(&setup, text))
-        .collect::<Result<Vec<_>>>()?;
+    let vary = Vary::read_all(&setup, vary)?;
     if let Some(tolerance) = within {
         let found = accuracy(&setup, &vary, &[Outcome::Carry], tolerance)?;
         (setup.method, setup.flight.step) = (found.method, found.step);
@@ -194,10 +191,7 @@ pub fn operation(task: &str, by: &Discretization) -> Result<Option<Operation>> {
         "all" | "3-D-all" => (setup.variables(), Order::First),
         "T5" => {
             let ranges = ["club.loft=0deg..25deg", "swing.attack_angle=-10deg..10deg"];
-            let vary = ranges
-                .iter()
-                .map(|text| Vary::read(&setup, text))
-                .collect::<Result<_>>()?;
+            let vary = Vary::read_all(&setup, ranges)?;
             let search = Search {
                 vary,
                 ..Search::longest_drive(&setup)?

@@ -207,8 +207,7 @@ impl FlightAlone {
             "launch.launch_angle",
             "launch.backspin",
         ];
-        let wrt = conditions.map(|name| setup.variable(name));
-        let wrt = wrt.into_iter().collect::<Result<Vec<_>>>()?;
+        let wrt = setup.variables_named(conditions)?;
         Ok(Self {
             carry: Evaluator::new(&setup, &[Outcome::Carry], &wrt, Order::Second)?,
             least_carry,

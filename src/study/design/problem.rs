@@ -23,7 +23,7 @@ const USUAL: [&str; 3] = [
 /// # Errors
 /// The errors of [`Vary::read`], for a flat face or a given launch.
 pub fn usual_vary(setup: &Setup<f64>) -> Result<Vec<Vary>> {
-    USUAL.iter().map(|text| Vary::read(setup, text)).collect()
+    Vary::read_all(setup, USUAL)
 }
 
 const REACHED: &str = "the swings reach";
