@@ -8,7 +8,7 @@ use super::pass::{COMPONENTS, EvaluationPoint, Stage};
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::number::{Level, MOST_PER_LANE};
-use crate::parameters::Parameter;
+use crate::parameters::{Parameter, ParameterGroup};
 
 /// Parameters that affect the launch, and parameters that affect the flight after a given launch.
 /// The parameters of the ball are in both lists.
@@ -31,7 +31,7 @@ impl ParameterSplit {
             |parameter: &Parameter| parameter.is_of_strike() || parameter.is_of_launch();
         Self {
             of_launch: indices(&|parameter| {
-                is_of_launch(parameter) || parameter.name.starts_with("ball.")
+                is_of_launch(parameter) || parameter.group == ParameterGroup::Ball
             }),
             of_flight: indices(&|parameter| {
                 !is_of_launch(parameter) && (runs || !parameter.affects_only_run())

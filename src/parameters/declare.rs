@@ -28,6 +28,7 @@
 //!             doc: "Impact point towards the toe.",
 //!             kind: Kind::Required,           // Optional for an Option<T>, Setting for an f64
 //!             unset: None,                    // Some(0.0) for `or 0.0`
+//!             group: ParameterGroup::Strike,
 //!             law: None,                      // Some(name) for a coefficient of a law
 //!         }];
 //!         &ROWS
@@ -72,6 +73,35 @@ pub enum Kind {
     Setting,
 }
 
+/// Group of a parameter, with the name of its struct in [`Setup`](super::Setup).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ParameterGroup {
+    /// The club just before impact.
+    Swing,
+    /// The impact point on the face.
+    Strike,
+    /// The clubhead.
+    Club,
+    /// The ball.
+    Ball,
+    /// The contact between club and ball.
+    Contact,
+    /// Launch conditions.
+    LaunchConditions,
+    /// The air.
+    Air,
+    /// Decay of the spin in the air.
+    Aero,
+    /// The wind.
+    Wind,
+    /// The ground.
+    Ground,
+    /// Gravity, and settings of the integration.
+    FlightConditions,
+    /// Coefficients of an aerodynamic law.
+    Law,
+}
+
 /// One row of the parameter table: a scalar of the model.
 /// [`Setup::parameter`](super::Setup::parameter) finds it by its name. Coefficients of two laws may
 /// have the same name; they are two parameters.
@@ -99,6 +129,8 @@ pub struct Parameter {
     /// SI value that has the same effect as no value (`or 0.0` in the table); `None` if the table
     /// declares no such value.
     pub unset: Option<f64>,
+    /// Group of the parameter in a setup.
+    pub group: ParameterGroup,
     /// Aerodynamic law of a coefficient; `None` for other parameters.
     pub law: Option<&'static str>,
 }
@@ -254,7 +286,7 @@ macro_rules! slot {
 
 /// A struct with one public field per row, and functions that iterate over its rows.
 macro_rules! parameter_struct {
-    ($(#[doc = $doc:literal])* $Group:ident, $law:expr, {
+    ($(#[doc = $doc:literal])* $Group:ident, $group:expr, $law:expr, {
         $( $(#[doc = $field_doc:literal])+ $field:ident : $kind:ident $(<$of:ident>)? $(or $unset:literal)? =
             $name:literal, $symbol:literal, $quantity:ident in $unit:literal, $range:expr, $default:literal, $source:literal; )+
     }) => {
@@ -280,6 +312,7 @@ macro_rules! parameter_struct {
                     doc: concat!($($field_doc),+).trim_ascii(),
                     kind: slot!(kind $kind),
                     unset: slot!(unset $($unset)?),
+                    group: $group,
                     law: $law,
                 } ),+];
                 &ROWS
@@ -330,7 +363,7 @@ macro_rules! parameter_struct {
 /// law.
 macro_rules! parameter_groups {
     ($( $(#[doc = $doc:literal])* $group:ident : $Group:ident $rows:tt )+) => {
-        $( parameter_struct! { $(#[doc = $doc])* $Group, None, $rows } )+
+        $( parameter_struct! { $(#[doc = $doc])* $Group, ParameterGroup::$Group, None, $rows } )+
 
         /// Everything a drive depends on: the parameters of `docs/model.md` over the number type
         /// `T`, and the aerodynamic law with its coefficients.
@@ -431,7 +464,7 @@ macro_rules! parameter_groups {
 /// Declares a struct of coefficients for each aerodynamic law, and the enum `Law`.
 macro_rules! law_coefficients {
     ($d:tt $( $(#[doc = $doc:literal])* $name:literal : $Law:ident $rows:tt )+) => {
-        $( parameter_struct! { $(#[doc = $doc])* $Law, Some($name), $rows } )+
+        $( parameter_struct! { $(#[doc = $doc])* $Law, ParameterGroup::Law, Some($name), $rows } )+
 
         /// An aerodynamic law with its coefficients. The formulas are in
         /// [`aerodynamics`](crate::aerodynamics), one file per law.

@@ -1,6 +1,7 @@
 //! Launch conditions that must be given together.
 
 use super::choices::GOLFER;
+use super::declare::ParameterGroup;
 use super::table::{LaunchConditions, Setup};
 use crate::error::{Error, Result};
 
@@ -18,19 +19,32 @@ impl super::Parameter {
     /// True for a parameter of swing, strike, club or impact. It has no effect if the launch is
     /// given.
     pub fn is_of_strike(&self) -> bool {
-        is_of_strike(self.name)
+        match self.group {
+            ParameterGroup::Swing
+            | ParameterGroup::Strike
+            | ParameterGroup::Club
+            | ParameterGroup::Contact => true,
+            ParameterGroup::Ball
+            | ParameterGroup::LaunchConditions
+            | ParameterGroup::Air
+            | ParameterGroup::Aero
+            | ParameterGroup::Wind
+            | ParameterGroup::Ground
+            | ParameterGroup::FlightConditions
+            | ParameterGroup::Law => false,
+        }
     }
 
     /// True for a parameter of swing, strike or club, and for a launch condition: the golfer
     /// controls these.
     pub(crate) fn is_controlled(&self) -> bool {
-        let is_of_impact = self.name.starts_with("impact.");
+        let is_of_impact = self.group == ParameterGroup::Contact;
         self.is_of_launch() || self.is_of_strike() && !is_of_impact
     }
 
     /// True for a launch condition.
     pub fn is_of_launch(&self) -> bool {
-        self.name.starts_with(GROUP)
+        self.group == ParameterGroup::LaunchConditions
     }
 }
 

@@ -32,7 +32,7 @@ pub(crate) use air::{follows_from, is_reset};
 pub use choices::{GOLFER, Golfer, METHOD, Method, SPEED_OF, SpeedOf};
 #[cfg(feature = "commands")]
 pub(crate) use declare::is_unset;
-pub use declare::{Kind, Parameter, UNSET};
+pub use declare::{Kind, Parameter, ParameterGroup, UNSET};
 pub use file::SetupFile;
 pub(crate) use file::{in_file, place_in};
 pub use idle::idle_warnings;

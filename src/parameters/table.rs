@@ -7,7 +7,7 @@
 //! that a row expands to.
 
 use super::choices::{Golfer, Method, SpeedOf};
-use super::declare::{Kind, Parameter, Slot};
+use super::declare::{Kind, Parameter, ParameterGroup, Slot};
 use super::law_table::{LawTable, TABLE_LAW};
 use super::range::Range;
 use crate::units::Quantity;
@@ -641,7 +641,7 @@ law_coefficients! { $
 
 parameter_struct! {
     /// Factors by which the coefficients of a user's own table are multiplied.
-    TableFactors, Some(TABLE_LAW), {
+    TableFactors, ParameterGroup::Law, Some(TABLE_LAW), {
         /// Factor by which the drag coefficient of the table is multiplied.
         cd_factor: T = "aero.cd_factor", "cd_factor", NUMBER in "", Range::from_to(0.0, 100.0),
             "1", "your own table, unchanged";

@@ -1,6 +1,6 @@
 //! Turfs by name: presets of the parameters of the ground.
 
-use super::declare::Parameter;
+use super::declare::{Parameter, ParameterGroup};
 use super::presets::{Preset, PresetEntry, entry};
 use super::table::Setup;
 use crate::error::{Error, Result};
@@ -8,8 +8,6 @@ use crate::error::{Error, Result};
 /// Name of the setting that selects a turf: `ground.turf = "firm"`.
 pub const TURF: &str = "ground.turf";
 
-/// Prefix of the names of the parameters of the ground.
-const GROUP: &str = "ground.";
 /// The only parameter of the ground that changes the flight.
 const HEIGHT: &str = "ground.height";
 
@@ -70,7 +68,7 @@ pub static TURFS: &[Preset] = &[
 impl Parameter {
     /// True if the parameter affects the run only, not the flight.
     pub fn affects_only_run(&self) -> bool {
-        self.name.starts_with(GROUP) && self.name != HEIGHT
+        self.group == ParameterGroup::Ground && self.name != HEIGHT
     }
 }
 

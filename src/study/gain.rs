@@ -5,7 +5,7 @@ use super::search::Search;
 use crate::error::Result;
 use crate::json::numbers_by_name;
 use crate::optimize::Observer;
-use crate::parameters::{Parameter, Setup, Vary};
+use crate::parameters::{ParameterGroup, Setup, Vary};
 use serde::{Serialize, Serializer};
 
 /// The gain of the optimum in two parts: from the club with the swing as set up, and from the
@@ -82,17 +82,18 @@ impl Optima {
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum).
 pub fn club_alone(best: &mut Optimum) -> Result<Option<ClubAlone>> {
-    let is_of = |groups: [&str; 2], parameter: &Parameter| {
-        groups.iter().any(|group| parameter.name.starts_with(group))
+    let is_of_swing = |vary: &Vary| {
+        let group = vary.parameter.group;
+        matches!(group, ParameterGroup::Swing | ParameterGroup::Strike)
     };
     let vary = best.search.vary.iter().copied();
-    let (club, swing): (Vec<_>, Vec<_>) =
-        vary.partition(|vary| is_of(["club.", "ball."], vary.parameter));
+    let (club, swing): (Vec<_>, Vec<_>) = vary.partition(|vary| {
+        let group = vary.parameter.group;
+        matches!(group, ParameterGroup::Club | ParameterGroup::Ball)
+    });
     if club.is_empty()
         || swing.is_empty()
-        || !swing
-            .iter()
-            .all(|vary| is_of(["swing.", "strike."], vary.parameter))
+        || !swing.iter().all(is_of_swing)
         || !best.search.scenarios.is_one_drive()
         || !best.is_converged()
     {

@@ -6,7 +6,7 @@ use crate::derivative::{Order, evaluate};
 use crate::drive::{Outcome, is_outside_any_face};
 use crate::error::{Error, Result};
 use crate::impact::{FacePoint, Head};
-use crate::parameters::{Parameter, Setup, Strike, Vary};
+use crate::parameters::{Parameter, ParameterGroup, Setup, Strike, Vary};
 use crate::study::swings::Scenarios;
 use crate::study::{Constraint, Optimum, Search};
 use crate::units::{DisplayUnit, Quantity, counted};
@@ -374,7 +374,7 @@ impl Design {
     /// mass.
     fn budget(&mut self, setup: &Setup<f64>) {
         let is_mass =
-            |row: &Parameter| row.name.starts_with("club.") && row.quantity == Quantity::MASS;
+            |row: &Parameter| row.group == ParameterGroup::Club && row.quantity == Quantity::MASS;
         let is_about_it = |limit: &Constraint| limit.goal.quantity == Quantity::MASS;
         if !self.varies(is_mass) || self.search.subject_to.iter().any(is_about_it) {
             return;
