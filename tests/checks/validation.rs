@@ -331,7 +331,10 @@ fn exact_reasons_for_the_default_law_from_the_drives() {
         let best = laws.min_by(|a, b| mean(of, a, f64::abs).total_cmp(&mean(of, b, f64::abs)));
         format!("{} on {}", best.unwrap(), of.set.name)
     });
-    let says = format!("have the smallest error of carry: {}.", best.join(", "));
+    let says = format!(
+        "other laws have the smallest error of carry: {}.",
+        best.join(", ")
+    );
     assert!(text.contains(&says), "{says}");
     let bias = sets.map(|of| mean(of, "launch-monitor", |error| error));
     let [least, most] = [
@@ -382,7 +385,7 @@ fn same_numbers_in_validation_md_and_the_program() {
 fn a_folder_gets_a_page_and_markdown_and_two_formats_are_refused() {
     let output = &VALIDATED.output;
     assert!(
-        output.status == 0 && output.out.contains("error of the carry [m]"),
+        output.status == 0 && output.out.contains("error of carry [m]"),
         "{}",
         output.err
     );

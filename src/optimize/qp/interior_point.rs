@@ -270,14 +270,14 @@ impl StandardForm {
 
     /// Matrix A and limits b of A x + s = b.
     fn constraints(&self) -> (CscMatrix<f64>, Vec<f64>) {
-        let mut entries = Entries::default();
+        let mut triplets = Triplets::default();
         for (at, row) in self.rows().enumerate() {
             for (column, value) in &row.coefficients {
-                entries.push(at, *column, *value);
+                triplets.push(at, *column, *value);
             }
         }
         let limits: Vec<f64> = self.rows().map(|row| row.limit).collect();
-        (entries.matrix(limits.len(), self.size), limits)
+        (triplets.matrix(limits.len(), self.size), limits)
     }
 
     /// Converts Clarabel's solution x and multipliers z to a step within the bounds.
@@ -307,24 +307,24 @@ impl StandardForm {
 
 /// Upper triangle of the scaled Hessian, with a full sparsity pattern.
 fn upper_triangle(program: &QuadraticProgram, size: usize, scale: f64) -> CscMatrix<f64> {
-    let mut entries = Entries::default();
+    let mut triplets = Triplets::default();
     for column in 0..program.dimension() {
         for row in 0..=column {
-            entries.push(row, column, program.hessian[(row, column)] * scale);
+            triplets.push(row, column, program.hessian[(row, column)] * scale);
         }
     }
-    entries.matrix(size, size)
+    triplets.matrix(size, size)
 }
 
 /// Entries of a sparse matrix, also those that are 0: they belong to its sparsity pattern.
 #[derive(Default)]
-struct Entries {
+struct Triplets {
     rows: Vec<usize>,
     columns: Vec<usize>,
     values: Vec<f64>,
 }
 
-impl Entries {
+impl Triplets {
     fn push(&mut self, row: usize, column: usize, value: f64) {
         self.rows.push(row);
         self.columns.push(column);

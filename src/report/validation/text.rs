@@ -52,7 +52,7 @@ pub(super) fn summary(document: &mut Document, found: &[SetScores], system: Syst
     let numbers = 0..head.len() - 2;
     let mut table = DocumentTable::new(head, rows).right(numbers);
     table.caption = format!(
-        "Mean absolute error of the carry [{}], or of the quantity after the name of the set",
+        "Mean absolute error of carry [{}], or of the quantity that the set names",
         system.unit("yd")
     );
     document.add(table);
@@ -78,17 +78,15 @@ fn reasons(found: &[SetScores], default: &str, system: System) -> String {
         .filter_map(|set| Some(format!("{} on {}", best(set)?.1, set.set.name)))
         .collect();
     format!(
-        "No law has the smallest error on every set. On averages of drives, laws other than the \
-         default have the smallest error of carry: {}. But averaged drives scatter, and their mean \
-         carry is shorter than the carry of the average launch: by {} with {default} (the bias \
-         less the column \"averaged\" in the tables of these sets). A law that is exact for single \
-         drives therefore predicts more than the published averages, by these amounts. \
-         {default} predicts {} more, {ALTERNATIVE} {}. The default is \
-         {default} because it was fitted to a launch monitor's predictions of single drives, and \
-         because the mean absolute error of its descent angle over the other clubs is {}, that of \
-         {ALTERNATIVE} {}. {ALTERNATIVE} is the independent alternative, fitted to radar flights \
-         of one ball: on drivers its apex has a smaller error, its descent angle a larger one. The \
-         difference of the two laws is a measure of the model's error.",
+        "No law has the smallest error on every set. On averages of drives, other laws have the \
+         smallest error of carry: {}. But drives scatter: their mean carry is shorter than that of \
+         the average launch, by {} with {default} (bias less \"averaged\" in their tables). An exact \
+         law predicts so much more than the averages; {default} predicts {} more, {ALTERNATIVE} {}. \
+         The default is {default} because it was fitted to a launch monitor's predictions of single \
+         drives, and because the mean absolute error of its descent angle over the other clubs is \
+         {}, that of {ALTERNATIVE} {}. {ALTERNATIVE} is the alternative, fitted to radar flights of \
+         one ball: for drivers its apex has a smaller error, its descent angle a larger one. Their \
+         difference measures the model's error.",
         best.join(", "),
         over_averages(default, 1),
         over_averages(default, 0),
