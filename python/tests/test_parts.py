@@ -226,7 +226,7 @@ LARGE: dict[str, Any] = {"over": {"club.loft": (0.5, 1.2, 7168)}, "parts": 7}
 
 def test_same_warnings_of_a_part_as_of_a_sweep(tmp_path: Path) -> None:
     whole = longdrive.sweep(None, LARGE["over"]).warnings
-    assert "1 rad is 57.3°" in whole[0] and "at launch outside" in whole[1]
+    assert "1 rad is 57.3°" in whole[0] and "the launch is outside" in whole[1]
     with pytest.warns(longdrive.LongdriveWarning) as planned:
         requested = SweepPlan.of(**LARGE, output=tmp_path)
     assert [str(one.message) for one in planned] == whole[:1]

@@ -82,7 +82,7 @@ def test_mentions_are_written_as_arguments(text: str, words: str) -> None:
             "the distribution swing.speed=normal",
         ),
         (lambda: longdrive.optimize(maximize="carry", minimize="carry"), "a search has one goal"),
-        (lambda: longdrive.pareto(maximize="carry"), "give two with maximize and minimize"),
+        (lambda: longdrive.pareto(maximize="carry"), "give them with maximize and minimize"),
         (lambda: longdrive.uncertainty(samples=-3), "samples"),
         (lambda: longdrive.plot.trajectory(width=10), "width=800"),
         (lambda: longdrive.sensitivity(maximize="carry"), "add at_optimum=True"),

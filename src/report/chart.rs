@@ -181,7 +181,7 @@ impl Report for ChartReport<'_> {
     }
 }
 
-/// What each row of a chart is, such as "largest carry for each swing.speed; varied: club.loft 4° ..
+/// The contents of the rows of a chart: "largest carry for each swing.speed; varied: club.loft 4° ..
 /// 20°".
 fn caption(chart: &Chart, search: &Search, system: System) -> String {
     let varied: Vec<_> = search

@@ -631,8 +631,8 @@ def delivery(
         angle, shaft lean, path and face angle of the swing, and the impact point on the face].
     sigma : Given
         The prior standard uncertainty of a parameter about its value in the setup, e.g.
-        swing.attack_angle=1deg. [default: the error of a launch monitor for a club value from an
-        option or a row; the spread among golfers for other values].
+        swing.attack_angle=1deg. [default: for a club value that an option or a row gives, the error
+        of a launch monitor; for others, the spread among golfers].
     output : PathLike
         Write the setup with the delivery into this file; for several shots, with the mean of the
         deliveries that explain their launches. If there is none, no file is written.
