@@ -118,8 +118,8 @@ impl Fitted {
         message
     }
 
-    /// How the law continues at the ends of the range of a variable that a flight exceeds. `flown`
-    /// has the least and the greatest value of the variable in the flight.
+    /// How the law continues beyond those ends of a variable's range that the flight exceeds.
+    /// `flown` has the least and the greatest value of the variable in the flight.
     pub(crate) fn continuation(&self, variable: LawVariable, flown: [f64; 2]) -> Continuation {
         let Some([low, high]) = self.range(variable) else {
             return Continuation::default();
@@ -151,8 +151,8 @@ impl Fitted {
         all
     }
 
-    /// True if spin ratio, spin, Reynolds number and airspeed ([`Stream::variables`]) are within all
-    /// known ranges. Always true in a vacuum (Reynolds number 0).
+    /// True if spin ratio, spin, Reynolds number and airspeed ([`Stream::variables`]) are within
+    /// all known ranges. Always true in a vacuum (Reynolds number 0).
     ///
     /// [`Stream::variables`]: super::Stream::variables
     #[inline]

@@ -14,7 +14,7 @@ const HELD: &[(LawVariable, RangeEnd)] = &[
     (LawVariable::Speed, RangeEnd::Low),
     (LawVariable::Speed, RangeEnd::High),
 ];
-/// All ends but the low end of the spin axis.
+/// All ends except the lower end of the axis of spin or spin ratio.
 const HELD_ABOVE_LEAST_SPIN: &[(LawVariable, RangeEnd)] = &[
     (LawVariable::SpinRatio, RangeEnd::High),
     (LawVariable::Spin, RangeEnd::High),

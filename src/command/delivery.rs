@@ -274,8 +274,8 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
     let loft = setup.variable(LOFT).ok().map(|parameter| {
         let loft = parameter_text(parameter, setup.club.loft, system());
         format!(
-            "{LOFT} = {loft} is the loft of {}: with another loft, the delivery and a best loft found \
-             from it are wrong; state the loft of your club, for example `set {LOFT}=10.5deg`",
+            "{LOFT} = {loft} is the loft of {}; if yours differs, this delivery and a best loft found \
+             from it are wrong: state the loft of your club, for example `set {LOFT}=10.5deg`",
             club.source.content.preset.name
         )
     });

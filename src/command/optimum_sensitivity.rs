@@ -48,7 +48,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let requested = AnalysisRequest::new(args, &drive)?;
     let output = args.optimum.destination(&request, std::iter::empty())?;
     let mut optima = args.optimum.optima(&drive)?;
-    // the optimum of the club alone may lead to a better one
+    // replaces the best optimum if a search from the optimum of the club alone finds a better one
     optima.club_alone()?;
     let best = &optima.best;
     let written = write(output.as_ref(), &request, &optima, None)?;
@@ -91,7 +91,8 @@ struct AnalysisRequest {
 impl AnalysisRequest {
     fn new(args: &Args, drive: &DriveSearch) -> Result<Self> {
         let search = &drive.search;
-        // a varied parameter without a value is refused as a varied one
+        // with start values, a varied parameter in `wrt` is refused because it is varied, and not
+        // because it has no value
         let setup = &Vary::initialized(&drive.setup, &search.vary)?;
         let wrt = variables(setup, &args.wrt, &search.outcomes())?;
         let changes = args

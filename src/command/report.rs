@@ -131,8 +131,6 @@ struct ReportRequest {
     along: Option<Vary>,
     /// The stated uncertainties.
     given: Vec<Sigma>,
-    /// The stated uncertainties, and default uncertainties of other parameters.
-    sigmas: Vec<Sigma>,
 }
 
 impl ReportRequest {
@@ -153,7 +151,8 @@ impl ReportRequest {
         };
         let uncertain = request.with_assumed_launch(setup)?;
         let given = sigmas(&uncertain, &args.sigma)?;
-        let sigmas = with_defaults(&uncertain, &given, &[of])?;
+        // refuse wrong uncertainties before the search
+        with_defaults(&uncertain, &given, &[of])?;
         Ok(Self {
             stated,
             setup,
@@ -162,7 +161,6 @@ impl ReportRequest {
             reason,
             along,
             given,
-            sigmas,
         })
     }
 }
@@ -188,7 +186,7 @@ fn add_sections(
         findings.chart = or_remark(chart, &mut remarks)?;
         remarks.extend(findings.chart.iter().flat_map(Chart::warnings));
     }
-    add_derivatives(findings, search, &inputs.sigmas, bar, &mut remarks)?;
+    add_derivatives(findings, search, &inputs.given, bar, &mut remarks)?;
     let in_words = |message: Message| message.map_words(in_host_syntax);
     findings.remarks = remarks.into_iter().map(in_words).collect();
     findings.why_none = why_none.map(in_words);
@@ -339,7 +337,7 @@ fn add_map(
 fn add_derivatives(
     findings: &mut Findings,
     search: Option<&Search>,
-    sigmas: &[Sigma],
+    given: &[Sigma],
     bar: &Arc<dyn Progress>,
     remarks: &mut Vec<Message>,
 ) -> Result<()> {
@@ -349,8 +347,11 @@ fn add_derivatives(
     } else {
         Outcome::Lateral
     };
-    let moved = |setup: &Setup<f64>, of: &[Outcome]| {
-        effects(&setup.with_assumed_launch()?, of, sigmas, &mut |_, _| ())
+    // other parameters may be uncertain at the optimum: a varied wind replaces `wind.right`
+    let moved = |setup: &Setup<f64>, outcomes: &[Outcome]| {
+        let setup = setup.with_assumed_launch()?;
+        let sigmas = with_defaults(&setup, given, &[of])?;
+        effects(&setup, outcomes, &sigmas, &mut |_, _| ())
     };
     let effects = or_remark(moved(setup, &[of, other]), remarks)?.unwrap_or_default();
     bar.inc(1);

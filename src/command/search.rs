@@ -39,13 +39,15 @@ impl DriveSearch {
         origin.with_held(&self.held, &self.setup)
     }
 
-    /// The optimum, found without a progress and with one start.
+    /// The optimum from one start, or from the optimum of the club alone if that is better. Shows
+    /// no progress and cannot be interrupted.
     ///
     /// # Errors
     /// The errors of [`optimum`] and [`club_alone`].
     pub fn optimum(&self) -> Result<Optimum> {
         let mut best = optimum(&self.setup, self.search.clone(), Observer::default())?;
-        // the optimum of the club alone may lead to a better one
+        // replaces the best optimum if a search from the optimum of the club alone finds a better
+        // one
         club_alone(&mut best)?;
         Ok(best)
     }

@@ -115,7 +115,8 @@ impl AnalysedDrive {
 }
 
 impl Args {
-    /// The setup with assumed launch conditions, which default uncertainties need.
+    /// The setup with assumed launch conditions, which default uncertainties need. Unchanged with
+    /// `--no-defaults`.
     fn with_assumed_launch(&self, request: &Request, setup: Setup<f64>) -> Result<Setup<f64>> {
         match self.no_defaults {
             true => Ok(setup),

@@ -106,8 +106,8 @@ impl SwingsArgs {
         Scenarios::new(swings, rule)
     }
 
-    /// The only goal of a function, from the argument `name` with the value `text`. `example` is
-    /// such an argument with a goal that uses strokes.
+    /// Parses a goal. `name` and `text` are the argument and its value; `example`, for the message,
+    /// is an argument with a goal that uses strokes.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for a text that is no goal, and for a table of strokes that the goal

@@ -175,7 +175,7 @@ impl<'de> Deserialize<'de> for ExceededLimits<u64> {
 pub struct ExceededCount {
     /// All drives that landed.
     pub all: u64,
-    /// The drives that exceed each limit.
+    /// Number of drives that exceed each limit.
     pub limits: ExceededLimits<u64>,
 }
 
@@ -289,8 +289,8 @@ fn law_range_warning(subject: &str, law: &Law<f64>, scope: CheckScope) -> Messag
     }
 }
 
-/// Adds the thresholds of [`Drive::extrapolated`] in words to a warning, such as ", for at least 1 %
-/// of the flight time".
+/// Adds the thresholds of [`Drive::extrapolated`] in words to a warning, such as ", for at least
+/// 1 % of the flight time".
 fn with_thresholds(message: Message, how: Continuation) -> Message {
     let lasts = format!(
         "at least {:.0} % of the flight time",

@@ -91,8 +91,9 @@ pub(crate) fn change_by_holding(
     (own.has_landed && held.has_landed).then_some(held.landed.carry - own.landed.carry)
 }
 
-/// True if the variables of the law stay within their fitted ranges during the whole flight. They are checked at the nodes, with a margin for their change between two nodes. False
-/// if a variable may leave its range, or if the flight cannot be computed.
+/// True if the variables of the law stay within their fitted ranges during the whole flight. They
+/// are checked at the nodes, with a margin for their change between two nodes. False if a variable
+/// may leave its range, or if the flight cannot be computed.
 pub(crate) fn stays_within(
     setup: &Setup<f64>,
     launch: &Launch<f64>,

@@ -149,8 +149,8 @@ mod tests {
         0.5 * ball.velocity.dot(ball.velocity) + 0.2 * RADIUS * RADIUS * ball.spin.dot(ball.spin)
     }
 
-    /// Penner's equations (2002, pp. 933–934) for a ball that rolls at exit, with the factor S of eq.
-    /// 19 of docs/model.md on his tilt.
+    /// Penner's equations (2002, pp. 933–934) for a ball that rolls at exit, with the factor S of
+    /// docs/model.md (19) on his tilt.
     #[test]
     fn independent_bounce_of_penner_with_rolling_at_exit() {
         let turf = Turf::new(&Setup::modern_driver());

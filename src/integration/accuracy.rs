@@ -78,8 +78,9 @@ const ROUNDING: f64 = 1e-12;
 /// ```
 ///
 /// # Errors
-/// [`Error::Tolerance`] if `tolerance` is not positive and finite, or if no step down to 4 ms reaches it (the message
-/// names a failing drive); [`Error::NoFlight`] if no drive lands; the errors of [`Batch::new`].
+/// [`Error::Tolerance`] if `tolerance` is not positive and finite, or if no step down to 4 ms
+/// reaches it (the message names a failing drive); [`Error::NoFlight`] if no drive lands; the
+/// errors of [`Batch::new`].
 pub fn accuracy(
     setup: &Setup<f64>,
     ranges: &[Vary],

@@ -14,7 +14,9 @@ impl Setup<f64> {
     /// # Errors
     /// The errors of [`validate`](Self::validate), of [`column`](Self::column) for `columns`, and
     /// of [`variable`](Self::variable) for `wrt`; [`Error::OtherLaw`] for a coefficient of another
-    /// law; [`Error::Together`] if `columns` or `wrt` repeats a parameter.
+    /// law; [`Error::NotVariable`] for a parameter of `wrt` that follows from a column, and for a
+    /// parameter of the strike if the launch is given; [`Error::Together`] if `columns` or `wrt`
+    /// repeats a parameter.
     pub(crate) fn check_lists(
         &self,
         columns: &[&'static Parameter],

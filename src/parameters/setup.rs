@@ -37,7 +37,7 @@ pub struct SettingText<'a> {
 pub(super) struct SettingFault {
     /// Index of the setting in the list.
     pub index: usize,
-    /// True if the value is at fault, not the name.
+    /// True if the message points to the value; otherwise it points to the name.
     pub is_of_value: bool,
     pub error: Error,
 }
@@ -449,7 +449,8 @@ impl Setup<f64> {
         let Some(conflict) = Conflict::find(&given, is_set) else {
             return Ok(());
         };
-        // a setting given at once with the other one cannot also be unset
+        // to unset one helps only if the setup had it before: settings given together exclude each
+        // other
         let advice = if given.contains(&conflict.by) {
             String::new()
         } else {

@@ -181,8 +181,8 @@ impl Report for ChartReport<'_> {
     }
 }
 
-/// The contents of the rows of a chart: "largest carry for each swing.speed; varied: club.loft 4° ..
-/// 20°".
+/// The contents of the rows of a chart: "largest carry for each swing.speed; varied: club.loft 4°
+/// .. 20°".
 fn caption(chart: &Chart, search: &Search, system: System) -> String {
     let varied: Vec<_> = search
         .vary

@@ -307,8 +307,8 @@ pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
     csv_text(head, rows)
 }
 
-/// The setup of one point of a front for a setup file. `file` is the
-/// setup file or preset that the request names. Comments are in the units of `system`.
+/// The setup of one point of a front for a setup file. `file` is the setup file or preset that the
+/// request names. Comments are in the units of `system`.
 ///
 /// # Errors
 /// [`Error::Nothing`] if the front does not have the point `place`.

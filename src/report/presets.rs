@@ -226,8 +226,8 @@ pub(super) fn preset_with_law_of(setup: &Setup<f64>, preset: &Preset) -> Result<
     Ok(base)
 }
 
-/// True if a setup has another value of a parameter than [`preset_with_law_of`]. A parameter that
-/// others determine does not count.
+/// True if the value of a parameter differs from that in `base`, the [`preset_with_law_of`] the
+/// setup. False for a parameter that others determine.
 pub(super) fn is_changed(setup: &Setup<f64>, base: &Setup<f64>, row: &Parameter) -> bool {
     setup.why_replaced(row).is_none() && setup.value(row) != base.value(row)
 }

@@ -284,7 +284,7 @@ fn add_design(document: &mut Document, found: &Robust, system: System) {
             vary.parameter.name.into(),
             shown::within(vary, found.design[i], system),
             shown::range(vary, system),
-            bound_and_single_models(found, i, system),
+            bound_in_words_of_loss(found, i, system),
         ]
     });
     let head = [
@@ -309,7 +309,7 @@ fn greatest_loss(found: &Robust) -> Objective {
 }
 
 /// Describes the change of the greatest loss if a bound of varied parameter `i` is relaxed.
-fn bound_and_single_models(found: &Robust, i: usize, system: System) -> String {
+fn bound_in_words_of_loss(found: &Robust, i: usize, system: System) -> String {
     let (vary, solution) = (found.search.vary[i], &found.solution);
     let objective = greatest_loss(found);
     if vary.low == vary.high {
@@ -365,8 +365,8 @@ fn price_of_single_models(multipliers: [f64; 2], price: String) -> Option<String
     (multipliers == [0.0; 2] && is_nonzero).then_some(price)
 }
 
-/// The setup with the robust design for a setup file. `file` is the
-/// setup of the request. Comments are in the units of `system`.
+/// The setup with the robust design for a setup file. `file` is the setup of the request. Comments
+/// are in the units of `system`.
 pub fn robust_setup(
     found: &Robust,
     within: Option<f64>,

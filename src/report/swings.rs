@@ -320,7 +320,7 @@ fn sampling(best: &Optimum, analysis: Option<&SwingsAnalysis>, system: System) -
             sequences,
         })) => format!(
             "{swings} {taken}; over infinitely many swings {} is {} to {} (99 % interval, from \
-             {sequences} other sequences){}",
+             {sequences} other quasi-random sequences){}",
             goal.expression,
             shown::goal(goal, interval.low, system),
             shown::goal(goal, interval.high, system),

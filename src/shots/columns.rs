@@ -76,7 +76,7 @@ impl ShotColumns {
             ignore_stated_air(&mut head.columns);
         }
         let repeated = head.ignore_repeated();
-        // columns that are not used are listed in one remark, with those of the club
+        // `add_remarks` lists all unused columns, so drop the head's own remarks on them
         head.remarks.clear();
         let is_text = |at: usize| head.columns[at].content == Content::Note;
         let name = &table.name;

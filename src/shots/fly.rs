@@ -117,13 +117,13 @@ impl Flying {
         let stop = run.stop.unwrap_or(&never);
         let mut has_ended = false;
         let next = || {
-            if stop.load(Ordering::Relaxed) {
-                return Ok(None);
-            }
             let Some(chunk) = rows.next_rows(CHUNK)? else {
                 has_ended = true;
                 return Ok(None);
             };
+            if stop.load(Ordering::Relaxed) {
+                return Ok(None);
+            }
             let flying = match &chunk.section {
                 Some(section) => self.of_rows(&section.columns.other_parameters())?,
                 None => self.of_rows(other_parameters)?,

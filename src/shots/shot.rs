@@ -222,8 +222,8 @@ impl Shot {
         self.values.iter().find(|value| value.of == of).copied()
     }
 
-    /// The origin of the total spin, or of the backspin without a total spin: measured, estimated or
-    /// modelled. `None` if the export does not state it.
+    /// The origin of the total spin, or of the backspin without a total spin: measured, estimated
+    /// or modelled. `None` if the export does not state it.
     pub fn spin_origin(&self) -> Option<Origin> {
         let spin = self.value(Outcome::Spin);
         spin.or_else(|| self.value(Outcome::Backspin))?.origin

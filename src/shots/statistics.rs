@@ -136,7 +136,7 @@ pub struct ShotStatistics {
     pub of: Vec<Outcome>,
     /// Number of rows.
     pub rows: u64,
-    /// False if an interruption left out rows of the source.
+    /// False if an interruption came before the end of the source was read.
     pub is_complete: bool,
     /// Number of rows whose ball landed.
     pub flown: u64,

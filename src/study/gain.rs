@@ -55,7 +55,7 @@ impl Optima {
         }
         let extra = self.extra.replace(ExtraStart::ClubAlone);
         if extra.is_some() {
-            // the search from a point of the sample did not lead to the best optimum
+            // an earlier extra start no longer leads to the best optimum
             self.locals.remove(0);
         }
         let local = LocalOptimum {
@@ -139,8 +139,8 @@ pub fn club_alone(best: &mut Optimum) -> Result<Option<ClubAlone>> {
     }))
 }
 
-/// The setup in which a varied parameter of the swing that has no value gets the value that it
-/// counts as. A search then starts there, and not in the middle of the range.
+/// The setup in which each parameter of `swing` without a value has the value that it counts as. A
+/// search then starts at the swing as set up, and not in the middle of the range.
 fn with_own_swing(setup: Setup<f64>, swing: &[Vary]) -> Result<Setup<f64>> {
     let mut own = setup;
     for vary in swing {

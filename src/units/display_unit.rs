@@ -1,6 +1,7 @@
 use super::{Quantity, System};
 
-/// A quantity with its display unit. A text for a [`System`] shows [`System::unit`] of it instead.
+/// A quantity with its display unit. In a text in the units of a [`System`], [`System::unit`]
+/// replaces the display unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DisplayUnit {
     /// Physical quantity.

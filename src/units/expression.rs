@@ -47,7 +47,7 @@ impl Unit {
 /// or `/` (which applies to the next factor), each with an optional power: `kg/m^3`, `g cm²`,
 /// `g-cm2`, `m s^-2`, `Pa.s`. A temperature scale with its own zero cannot be a factor.
 pub(super) fn read_unit(text: &str) -> Option<Unit> {
-    // the units of most columns: a table of shots has some in every row
+    // fast path for a single symbol: a table of shots converts several values in every row
     if let Some(symbol) = spelled(text) {
         return Some(Unit::of_symbol(symbol));
     }

@@ -377,7 +377,7 @@ fn differences_confirm_sensitivity_and_windows_as_json() {
     for words in [
         "swing.speed [mph]",
         "within 1.00 yd of the best if one parameter alone",
-        "or by the opposite",
+        "(or the opposite way) loses",
         "by the quadratic",
     ] {
         assert!(text.out.contains(words), "{words}: {}", text.out);

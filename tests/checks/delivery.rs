@@ -253,7 +253,7 @@ fn the_text_on_unidentified_changes_names_the_prior_as_it_is_stated() {
         "swing.path=0.2deg",
     ];
     let text = on_one_line(&longdrive(&request).out);
-    let says = "the launch does not determine their sizes: these follow from ± before.";
+    let says = "The launch does not determine their sizes; the column \"± before\" does:";
     assert!(text.contains(says), "{text}");
 }
 

@@ -1025,3 +1025,20 @@ fn bad_plots_and_folders_get_messages_that_help() {
         );
     }
 }
+
+/// The wind from an angle replaces `wind.right`, which has a usual uncertainty in the drive as set
+/// up, but none at the optimum.
+#[test]
+fn a_report_of_a_varied_wind_from_an_angle_has_a_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let directory = folder.path().join("new").display().to_string();
+    let vary = [
+        "--vary",
+        "wind.speed=0m/s..5m/s",
+        "--vary",
+        "wind.from=90deg..270deg",
+    ];
+    let output = longdrive(&[&["report", "-o", &directory], &vary[..]].concat());
+    assert_eq!(output.status, 0, "{}", output.err);
+    assert!(!output.err.contains("wind.right"), "{}", output.err);
+}

@@ -179,7 +179,10 @@ fn dates_times_and_long_decimals_of_parquet_are_refused_by_name() {
     for (name, kind) in [
         ("date.parquet", "DATE"),
         ("nanoseconds.parquet", "TIMESTAMP"),
-        ("long_decimal.parquet", "DECIMAL of 38 digits"),
+        (
+            "long_decimal.parquet",
+            "DECIMAL of 38 digits stored as FIXED_LEN_BYTE_ARRAY",
+        ),
     ] {
         let message = refusal(&file(name));
         let says = format!("column swing.speed: its type is {kind}; a column must hold numbers");

@@ -175,8 +175,8 @@ impl Request {
         Ok(self.partial_setup)
     }
 
-    /// The setup at the start of a search over ranges `NAME=LOW..HIGH`: a varied parameter without a
-    /// value gets the middle of its range. Ranges and options are read with this setup. The study
+    /// The setup at the start of a search over ranges `NAME=LOW..HIGH`: a varied parameter without
+    /// a value gets the middle of its range. Ranges and options are read with this setup. The study
     /// receives the setup without these values, which is the drive as set up.
     ///
     /// # Errors

@@ -397,9 +397,9 @@ fn step_error(errors: &[StepError]) -> Option<String> {
         let (of, by) = (found.of.name(), parameter.name);
         let of_outcome = found.derivative_error_of_outcome;
         text += &format!(
-            ", and d {of}/d {by} by {error:.0e} (a change of {by} by its typical size then has an \
-             error of {of_outcome:.0e} of {of}); all other outcomes and derivatives \
-             differ by less, and no verdict depends on these errors"
+            ", and d {of}/d {by} by {error:.0e} (relative; for a change of one parameter by its \
+             typical size, {of} is wrong by at most {of_outcome:.0e} of its value); all other \
+             outcomes and derivatives differ by less, and no verdict depends on these errors"
         );
     }
     Some(text)

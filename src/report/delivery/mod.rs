@@ -251,8 +251,8 @@ pub fn unusual_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
 /// determines the value. Texts show such a fraction as 0 %.
 const UNIDENTIFIED: f64 = 0.005;
 
-/// The setup with the most probable delivery of a shot, or with the mean of several deliveries
-/// and of the other values that the table gives, for a setup file. `file` is the setup file or preset
+/// The setup with the most probable delivery of a shot, or with the mean of several deliveries and
+/// of the other values that the table gives, for a setup file. `file` is the setup file or preset
 /// that the request names. Comments are in the units of `system`.
 ///
 /// # Errors

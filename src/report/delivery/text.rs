@@ -28,7 +28,7 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
     if !delivered.unidentified.is_empty() {
         let title = Line::flush(
             "Each of these changes, of one parameter or of several together, hardly changes the \
-             launch, so the launch does not determine their sizes: these follow from ± before.",
+             launch. The launch does not determine their sizes; the column \"± before\" does:",
         );
         let changes = delivered
             .unidentified

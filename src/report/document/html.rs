@@ -119,7 +119,7 @@ impl Parts<'_> {
                 pictures(now)?
             }
             _ => {
-                let reason = "its metric and its US document differ in a block";
+                let reason = "the metric and the US document have different blocks; this is a fault of longdrive";
                 return Err(Error::Output(std::io::Error::other(reason)));
             }
         })

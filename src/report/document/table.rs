@@ -15,8 +15,8 @@ pub struct DocumentTable {
     pub remarks: Vec<Line>,
     /// Number of rows in a plain text without the option `all`.
     pub first_rows: usize,
-    /// Number of columns, from the left, that identify a row. A text too narrow for all columns
-    /// repeats them.
+    /// Number of columns, from the left, that identify a row. If a text is too narrow for all
+    /// columns, each of its parts begins with them. At most the number of columns.
     pub key_columns: usize,
 }
 

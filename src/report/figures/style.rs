@@ -5,11 +5,13 @@ use crate::drive::Outcome;
 use crate::report::plot::{Field, Hue, Layer, NamedQuantity, Shape};
 use crate::study::{DriveRole, Plane};
 
-/// The series after that of the drive as set up and that of the optimum.
+/// The first series of drives with names of their own; series 0 and 1 are the drive as set up and
+/// the optimum.
 const OTHERS: usize = 2;
 
 /// The colour of a drive, and true if its lines are dashed. `place` is the place of the drive among
-/// those of the plot. Another drive than that as set up and its optimum has neither of their colours.
+/// those of the plot. A drive with a name of its own has a later series than the drive as set up
+/// and the optimum.
 pub(super) fn style(role: &DriveRole, place: usize) -> (Hue, bool) {
     match role {
         DriveRole::Alone | DriveRole::AsSetUp => (Hue::SET_UP, false),

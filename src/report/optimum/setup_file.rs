@@ -8,9 +8,9 @@ use crate::study::Optimum;
 use crate::study::swings::Swings;
 use crate::units::{System, counted};
 
-/// The setup at an optimum for a setup file. `interrupted` is the
-/// message about interrupted searches, if there are any. `file` is the setup file or preset that
-/// the request names. Comments are in the units of `system`.
+/// The setup at an optimum for a setup file. `interrupted` is the message about interrupted
+/// searches, if there are any. `file` is the setup file or preset that the request names. Comments
+/// are in the units of `system`.
 pub fn optimum_setup(
     optimum: &Optimum,
     swings: Option<&Swings>,

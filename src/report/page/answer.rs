@@ -72,6 +72,13 @@ fn headline(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Marku
     })
 }
 
+/// The uncertainty of the change between two drives; `None` if it is a rounding error.
+fn change_uncertainty(yours: &Effects, best: &Effects) -> Option<f64> {
+    const ROUNDING: f64 = 1e-9;
+    let uncertainty = yours.uncertainty_of_change(best);
+    (uncertainty > ROUNDING * yours.standard_uncertainty()).then_some(uncertainty)
+}
+
 fn tiles(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Markup {
     let of = findings.of;
     let [at_yours, at_best] = [findings.effects_of(of), findings.at_best.as_ref()];
@@ -92,7 +99,7 @@ fn tiles(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Markup {
                     div {
                         dt { "change" }
                         dd { (both(|system| shown::change_as_displayed(of, yours, best, system))) }
-                        (known(at_yours.zip(at_best).map(|(yours, best)| yours.uncertainty_of_change(best))))
+                        (known(at_yours.zip(at_best).and_then(|(yours, best)| change_uncertainty(yours, best))))
                     }
                 }
             }

@@ -241,9 +241,11 @@ impl Report for ShotsReport {
         let rows: Vec<_> = compared.flat_map(|of| residual_rows(of, system)).collect();
         let mut document = Document::default();
         if rows.is_empty() {
-            lines.push(Line::flush(
-                "no row has a measured value of these outcomes to compare with",
-            ));
+            if self.rows > 0 {
+                lines.push(Line::flush(
+                    "no row has a measured value of these outcomes to compare with",
+                ));
+            }
             document.list(lines);
             add_clubs(&mut document, &self.clubs, system);
             return document;

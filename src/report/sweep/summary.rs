@@ -90,7 +90,7 @@ fn derivative_unit(column: &str, system: System) -> Option<DerivativeUnit> {
     ))
 }
 
-/// The number of rows in each bin of a histogram that is not empty, and below and above the bins.
+/// The number of rows in each non-empty bin of a histogram, and below and above the bins.
 fn histogram(histogram: &Histogram, system: System) -> DocumentTable {
     let Histogram {
         of,

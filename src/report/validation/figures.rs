@@ -17,7 +17,7 @@ const OPTIMA: &str = "chart-optima-impact";
 
 /// Name of the band that shows the difference between two launch monitors.
 const INSTRUMENTS: &str = "two launch monitors";
-/// The text about the band of all figures, which the first figure has.
+/// The note on the band. It holds for all figures, and stands below the first one only.
 const BAND: &str = "The band is one standard deviation of the difference between two launch \
                     monitors on the same drive (Bliss & Langdown 2026): 6.7 yd of carry, 12.3 ft \
                     of apex, 3.9° of descent, 513 rpm.";

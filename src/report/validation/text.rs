@@ -48,7 +48,7 @@ pub(super) fn summary(document: &mut Document, found: &[SetScores], system: Syst
     });
     let mut head = vec!["drives", default, ALTERNATIVE];
     head.extend(own.map(|_| "your table"));
-    head.extend(["best", "of the law", "set"]);
+    head.extend(["best", "law", "set"]);
     let numbers = 0..head.len() - 2;
     let mut table = DocumentTable::new(head, rows).right(numbers);
     table.caption = format!(
@@ -86,7 +86,7 @@ fn reasons(found: &[SetScores], default: &str, system: System) -> String {
          drives, and because the mean absolute error of its descent angle over the other clubs is \
          {}, that of {ALTERNATIVE} {}. {ALTERNATIVE} is the alternative, fitted to radar flights of \
          one ball: for drivers its apex has a smaller error, its descent angle a larger one. Their \
-         difference measures the model's error.",
+         difference hints at the model's error.",
         best.join(", "),
         over_averages(default, 1),
         over_averages(default, 0),

@@ -81,7 +81,8 @@ pub struct Starts {
 /// Status of a calibration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CalibrationStatus {
-    /// The status of the best search, if its values are not questioned by the data.
+    /// The status of the searches, if no test of the data replaced it. Only converged and stalled
+    /// searches are tested.
     Search(FitStatus),
     /// The sum is at a minimum that is not isolated: along some direction the residuals hardly
     /// change.
@@ -94,7 +95,7 @@ pub enum CalibrationStatus {
 }
 
 impl CalibrationStatus {
-    /// The sum is stationary within the bounds, and the data determine the parameters.
+    /// The sum is stationary within the bounds, and no test of the data failed.
     pub const CONVERGED: Self = Self::Search(FitStatus::Converged);
     /// A search was interrupted.
     pub const INTERRUPTED: Self = Self::Search(FitStatus::Interrupted);

@@ -262,8 +262,8 @@ impl ShotRows {
     }
 
     /// Remarks in this order: on columns, rejected rows, values that are not compared, club values
-    /// that a prior distribution replaces, implausible values, and contradictory spins. A reason
-    /// that has a warning has no remark.
+    /// that a prior distribution replaces, implausible values, and contradictory spins. Reasons
+    /// that are given as warnings are not repeated.
     fn remarks(&mut self, left_out: Vec<Message>) -> Vec<Message> {
         let mut remarks: Vec<Message> = vec![];
         for section in &self.sections {

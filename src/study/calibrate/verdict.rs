@@ -1,13 +1,13 @@
-//! Status of a calibration, by its searches and by the data: a converged search may leave parameters
-//! undetermined.
+//! Status of a calibration, by its searches and by the data: a converged search may leave
+//! parameters undetermined.
 
 use super::calibration::{Calibration, CalibrationStatus, CalibrationVerdict, FitResidual};
 use super::statistics::{FitStatistics, SigmaOrigin, Undetermined};
 use crate::optimize::least_squares::{Fit, FitStatus, Loss};
 use crate::units::{counted, significant};
 
-/// CalibrationVerdict on the searches, whose `fits` begin with the best: its status, except in two cases:
-/// another search was interrupted, or `is_settled` is false.
+/// The verdict on the searches: status and message of the best one, the first of `fits`. Two
+/// exceptions: another search was interrupted, or `is_settled` is false.
 pub(super) fn of_searches(
     fits: &[Fit],
     is_settled: bool,
@@ -50,8 +50,8 @@ pub(super) fn of_searches(
 /// of 2.
 pub(super) const WARNED_MISFIT: f64 = 3.0;
 
-/// A fit has the status [`CalibrationStatus::Misfit`] if the root mean square exceeds this number, twice
-/// [`WARNED_MISFIT`]. Uncertainties that are stated too small do not explain so much.
+/// A fit has the status [`CalibrationStatus::Misfit`] if the root mean square exceeds this number,
+/// twice [`WARNED_MISFIT`]. Uncertainties that are stated too small do not explain so much.
 const MISFIT: f64 = 6.0;
 
 /// Text for a fit whose residuals have a root mean square above `most` standard uncertainties;
@@ -89,9 +89,9 @@ pub(super) fn misfit_text(statistics: &FitStatistics, most: f64) -> Option<Strin
     ))
 }
 
-/// CalibrationVerdict on a converged or stalled fit if one residual dominates it, if parameters are
+/// The verdict on a converged or stalled fit if one residual dominates it, if parameters are
 /// undetermined, or if the model does not describe the data. `None` if the verdict on the searches
-/// holds.
+/// stays.
 pub(super) fn of_data(
     found: &Calibration,
     loss: Loss,
@@ -120,10 +120,12 @@ pub(super) fn of_data(
     }
     let undetermined = &found.statistics.undetermined;
     if !undetermined.is_empty() {
-        let all: Vec<String> = undetermined
+        let mut all: Vec<String> = undetermined
             .iter()
             .map(|direction| parameter_names(found, direction))
             .collect();
+        // several directions of the same parameters
+        all.dedup();
         let message = format!(
             "the data do not determine {}: many other values of these fit as well as those shown. \
              Fit fewer parameters, give narrower ranges, or measure outcomes that depend on them \

@@ -105,7 +105,7 @@ impl ColumnarFile for ParquetFile {
         if !is_number(&head) {
             return Some(format!(
                 "its type is {}; a column must hold numbers (DOUBLE, FLOAT, integers, or DECIMAL \
-                 of at most 18 digits)",
+                 stored as INT32 or INT64)",
                 type_name(&head)
             ));
         }
@@ -209,7 +209,11 @@ fn type_name(head: &ColumnDescriptor) -> String {
     match (head.logical_type_ref(), head.converted_type()) {
         (Some(LogicalType::Time(_)), _) => "TIME".into(),
         (Some(LogicalType::Timestamp(_)), _) => "TIMESTAMP".into(),
-        (_, ConvertedType::DECIMAL) => format!("DECIMAL of {} digits", head.type_precision()),
+        (_, ConvertedType::DECIMAL) => format!(
+            "DECIMAL of {} digits stored as {}",
+            head.type_precision(),
+            head.physical_type()
+        ),
         (_, ConvertedType::NONE) => head.physical_type().to_string(),
         (_, converted) => converted.to_string(),
     }

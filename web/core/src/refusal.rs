@@ -14,7 +14,7 @@ pub struct Refusal {
     pub message: String,
     /// The parameters that the message names, the cause first.
     pub parameters: Vec<String>,
-    /// The parameters that the request states by a text, if the text has a value.
+    /// The parameters to which the request gives a text that can be read.
     pub stated: Vec<String>,
     /// The values of `stated`, SI. They are the block of the answer.
     #[serde(skip)]

@@ -3,8 +3,8 @@ import { useComputed } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 
 /**
- * The content that `read` takes from signals. It stays the same object while it is the same as
- * JSON.
+ * The result of `read`, a function of signals. Returns the earlier object if the new one has the
+ * same JSON.
  */
 export function useSteady<T>(read: () => T): T {
   const last = useRef<{ json: string; content: T } | null>(null);

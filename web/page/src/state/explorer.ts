@@ -195,7 +195,10 @@ export class Explorer {
     this.changeDesign(withValues(design, Object.fromEntries(values)));
   }
 
-  /** Ends when the core has answered about the present drive, whose request may be replaced. */
+  /**
+   * Resolves when the core has answered about the present drive. Waits again if a newer request has
+   * replaced the awaited one.
+   */
   async #settled() {
     let awaited;
     do {
