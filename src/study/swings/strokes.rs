@@ -79,9 +79,17 @@ impl Strokes {
         } = Text::of_file(path)?;
         let mut text = String::new();
         name.io(source.read_to_string(&mut text))?;
-        let table =
-            StrokesTable::read(&text).map_err(|fault| name.refused(fault.place, fault.reason))?;
-        Self::new(&table.rows, &table.unit, runs)
+        let refused = |fault: TableFault| name.refused(fault.place, fault.reason);
+        let mut table = NumberTable::new(&text, "distance [yd]").map_err(refused)?;
+        let columns = StrokesColumns::of(&table.heads)
+            .map_err(|reason| refused(TableFault::of_file(reason)))?;
+        let mut rows = vec![];
+        while let Some(row) = table.next_row().map_err(refused)? {
+            let distance = table.number(&row, columns.distance).map_err(refused)?;
+            let strokes = table.number(&row, columns.strokes).map_err(refused)?;
+            rows.push((distance * columns.unit_size, strokes));
+        }
+        Self::new(&rows, &columns.unit, runs)
     }
 
     pub(in crate::study) fn reaches(&self, distance: f64) -> bool {
@@ -152,32 +160,6 @@ impl Strokes {
             hessian: (0..n).map(row).collect(),
         };
         distance.chained(self.at(left))
-    }
-}
-
-/// The table of a file.
-struct StrokesTable {
-    /// Distance, m, and expected strokes of each row.
-    rows: Vec<(f64, f64)>,
-    /// Unit of the column of distances.
-    unit: String,
-}
-
-impl StrokesTable {
-    /// Parses the text of a table.
-    fn read(text: &str) -> std::result::Result<Self, TableFault> {
-        let mut table = NumberTable::new(text, "distance [yd]")?;
-        let columns = StrokesColumns::of(&table.heads).map_err(TableFault::of_file)?;
-        let mut rows = vec![];
-        while let Some(row) = table.next_row()? {
-            let distance = table.number(&row, columns.distance)? * columns.unit_size;
-            let strokes = table.number(&row, columns.strokes)?;
-            rows.push((distance, strokes));
-        }
-        Ok(Self {
-            rows,
-            unit: columns.unit,
-        })
     }
 }
 
