@@ -40,6 +40,8 @@ mod lane_batch;
 mod points;
 mod run;
 mod sequence;
+#[cfg(any(feature = "commands", feature = "parquet"))]
+mod sweep_definition;
 
 pub use block::{Block, Status, StatusCounts};
 pub use definition::Batch;
@@ -49,3 +51,5 @@ pub use points::Points;
 pub(crate) use points::refuse_repeated;
 pub use run::{CHUNK, Run};
 pub use sequence::Sequence;
+#[cfg(any(feature = "commands", feature = "parquet"))]
+pub use sweep_definition::SweepDefinition;

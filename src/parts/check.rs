@@ -1,6 +1,6 @@
-use super::definition::{SweepDefinition, hex};
-use super::footer::{Footer, Manifest};
+use super::footer::{Footer, Manifest, hex};
 use super::share::{file_name, rows_of};
+use crate::batch::SweepDefinition;
 use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
 use crate::statistics::Summary;

@@ -1,4 +1,4 @@
-use super::definition::{SweepDefinition, hex};
+use crate::batch::SweepDefinition;
 use crate::external_errors::{parquet_error_text, read_error_text};
 use crate::report::DEFINITION_KEY;
 use crate::statistics::Summary;
@@ -50,6 +50,21 @@ pub struct Manifest {
     /// The footer.
     #[serde(flatten)]
     pub part: Part,
+}
+
+impl SweepDefinition {
+    /// SHA-256, in hexadecimal.
+    pub fn hash(&self) -> String {
+        hex(Sha256::new_with_prefix(self.text()))
+    }
+}
+
+/// The SHA-256 in hexadecimal, as `sha256sum` prints it.
+pub(super) fn hex(hash: Sha256) -> String {
+    hash.finalize()
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
 }
 
 /// The footer of a file, read without its rows.

@@ -40,13 +40,11 @@
 //! ```
 
 mod check;
-mod definition;
 mod footer;
 mod share;
 mod write;
 
 pub use check::{Checked, Fault, FaultKind, check, merge};
-pub use definition::SweepDefinition;
 pub use footer::{Manifest, Part};
 
 pub use share::{file_name, rows_of};

@@ -1,8 +1,7 @@
-use super::definition::{SweepDefinition, hex};
-use super::footer::{Footer, Manifest, PART, Part};
+use super::footer::{Footer, Manifest, PART, Part, hex};
 use super::share::{file_name, rows_of};
 use crate::atomic_file::{create_beside, folder_of, persist};
-use crate::batch::{Batch, Block, Points, Run};
+use crate::batch::{Batch, Block, Points, Run, SweepDefinition};
 use crate::error::{Error, Result};
 use crate::external_errors::write_error_text;
 use crate::report::{PARQUET_MAGIC, ParquetGroup, PlacedGroup, SweepParquet};
@@ -48,7 +47,7 @@ impl Dataset {
     ) -> Result<Self> {
         rows_of(parts, parts, points.rows())?;
         let summary_spec = SummarySpec::new(&batch, histograms, best)?;
-        let definition = SweepDefinition::new(&batch, points, &summary_spec, parts);
+        let definition = SweepDefinition::new(&batch, points, summary_spec.identity(), parts);
         let table = SweepParquet::new(&batch, &definition.text())?;
         Ok(Self {
             batch,

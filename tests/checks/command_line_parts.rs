@@ -3,8 +3,9 @@
 
 use crate::command_line::{json, longdrive, number, wait_until};
 use crate::program;
+use longdrive::batch::SweepDefinition;
 use longdrive::number::Level;
-use longdrive::parts::{Manifest, SweepDefinition, check, file_name, merge};
+use longdrive::parts::{Manifest, check, file_name, merge};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 use serde_json::Value;

@@ -1,23 +1,23 @@
-use super::rows::Identity;
 use crate::atomic_file::{create_beside, persist};
-use crate::batch::StatusCounts;
+use crate::batch::{StatusCounts, SweepDefinition};
 use serde::{Deserialize, Serialize};
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// The first line of a journal.
-#[derive(Debug, Serialize, Deserialize)]
-struct JournalHeader {
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct JournalHeader {
     #[serde(flatten)]
-    identity: Identity,
+    pub definition: SweepDefinition,
+    /// Format of the rows: `csv in metric units`, `jsonl`, `parquet`.
+    pub format: String,
     /// True if the rows may replace an existing file.
-    #[serde(default)]
-    overwrite: bool,
+    pub overwrite: bool,
 }
 
 /// The progress of an incomplete file of rows, in a separate file `FILE.resume`. The first line is
-/// the identity of the sweep. Each further line is an entry: it records that rows were written to
+/// the header. Each further line is an entry: it records that rows were written to
 /// the disk. An incomplete last line, left by a killed program, is ignored.
 pub struct Journal {
     path: PathBuf,
@@ -27,8 +27,7 @@ pub struct Journal {
     entries: Vec<(u64, u64)>,
     /// Length of the journal, bytes.
     length: u64,
-    /// True if the rows may replace an existing file.
-    pub overwrite: bool,
+    pub header: JournalHeader,
     /// The replaced journal. It stays locked, because other programs may have opened it before it
     /// was replaced.
     _replaced: Option<File>,
@@ -60,7 +59,7 @@ impl Journal {
         with_suffix(of, ".resume")
     }
 
-    /// Returns true for the journal of a sweep, whose first line is an identity.
+    /// Returns true for the journal of a sweep, whose first line is a header.
     ///
     /// # Errors
     /// If a sweep is writing the journal.
@@ -76,19 +75,16 @@ impl Journal {
 
     /// Creates a journal atomically. A journal that another program is writing is never replaced;
     /// any other journal is replaced only with `overwrite`.
-    pub fn begin(of: &Path, identity: &Identity, overwrite: bool) -> io::Result<Self> {
+    pub fn begin(of: &Path, header: JournalHeader) -> io::Result<Self> {
         let path = Self::path(of);
-        let replaced = if overwrite {
+        let replaced = if header.overwrite {
             File::open(&path).ok()
         } else {
             None
         };
         replaced.as_ref().map_or(Ok(()), lock)?;
         let mut beside = create_beside(&path)?;
-        let mut line = serde_json::to_vec(&JournalHeader {
-            identity: identity.clone(),
-            overwrite,
-        })?;
+        let mut line = serde_json::to_vec(&header)?;
         line.push(b'\n');
         beside.write_all(&line)?;
         beside.as_file().sync_all()?;
@@ -105,18 +101,18 @@ impl Journal {
             file,
             entries: vec![],
             length: line.len() as u64,
-            overwrite,
+            header,
             _replaced: replaced,
         })
     }
 
-    /// Opens the journal of a file, and returns it with the identity of the sweep and the entries.
+    /// Opens the journal of a file, and returns it with the entries.
     /// Removes the first entry that `keeps` rejects and all later entries. `None` if there is no
     /// journal.
     pub fn open(
         of: &Path,
         keeps: impl Fn(&WrittenRows) -> bool,
-    ) -> io::Result<Option<(Self, Identity, Vec<WrittenRows>)>> {
+    ) -> io::Result<Option<(Self, Vec<WrittenRows>)>> {
         let path = Self::path(of);
         let mut file = match OpenOptions::new().read(true).write(true).open(&path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
@@ -134,17 +130,12 @@ impl Journal {
             .split_inclusive('\n')
             .take_while(|line| line.ends_with('\n'));
         let first = lines.next().unwrap_or_default();
-        let JournalHeader {
-            identity,
-            overwrite,
-        } = serde_json::from_str(first)?;
-        let length = first.len() as u64;
         let mut journal = Self {
             path,
             file,
             entries: vec![],
-            length,
-            overwrite,
+            length: first.len() as u64,
+            header: serde_json::from_str(first)?,
             _replaced: None,
         };
         let mut entries = vec![];
@@ -160,7 +151,7 @@ impl Journal {
             entries.push(entry);
         }
         cut(&mut journal.file, journal.length)?;
-        Ok(Some((journal, identity, entries)))
+        Ok(Some((journal, entries)))
     }
 
     /// Adds an entry. Its rows must already be on the disk.

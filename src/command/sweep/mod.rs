@@ -12,21 +12,22 @@ mod target;
 
 pub use args::Args;
 
-use crate::batch::{Batch, Points, Run, Status, StatusCounts};
+use crate::batch::{Batch, Points, Run, Status, StatusCounts, SweepDefinition};
 use crate::command::args::{refuse_threads, stated};
 #[cfg(not(feature = "parquet"))]
 use crate::command::files::refused;
 use crate::command::files::{Destination, DestinationKind};
 use crate::command::interrupt;
-use crate::command::output::{Answer, bar, note, say_error, warn, warnings};
+use crate::command::output::{Answer, bar, note, say_error, stated_system, warn, warnings};
 use crate::command::rows_target::RowsTarget;
 use crate::report::{Ending, Reply};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result};
 use args::SweepFormat;
+use journal::JournalHeader;
 use request::SweepRequest;
 use resumable::part_of;
-use rows::{FormattedRows, Identity, RowFormatter};
+use rows::{FormattedRows, RowFormatter};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -58,8 +59,8 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
     let format = target.format(args.format, SweepFormat::Csv)?;
     let destination = destination(args, &request, target)?;
     let SweepRequest { mut points, batch } = SweepRequest::of(args, &request)?;
-    let identity = Identity::new(&batch, format, points.identity());
-    let formatter = identity.formatter(&batch, format)?;
+    let definition = SweepDefinition::new(&batch, points.as_ref(), String::new(), 1);
+    let formatter = RowFormatter::new(&batch, format, &definition)?;
     disk_space::check(
         args,
         &batch,
@@ -67,7 +68,15 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
         &formatter,
         destination.file(),
     )?;
-    let mut output = SweepOutput::open(&destination, &identity, &formatter, args)?;
+    let header = JournalHeader {
+        definition,
+        format: match (format, stated_system()) {
+            (SweepFormat::Csv, Some(system)) => format!("csv in {system} units"),
+            _ => format!("{format:?}").to_lowercase(),
+        },
+        overwrite: args.overwrite,
+    };
+    let mut output = SweepOutput::open(&destination, header, &formatter, args.resume)?;
     let total = points.rows();
     let is_complete = write_rows(
         args,

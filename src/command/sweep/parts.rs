@@ -2,7 +2,7 @@
 
 use super::args::{Args, PartOf};
 use super::request::SweepRequest;
-use crate::batch::Run;
+use crate::batch::{Batch, Points, Run, SweepDefinition};
 use crate::command::args::stated;
 use crate::command::files::{refused, unwritable};
 use crate::command::interrupt;
@@ -10,7 +10,7 @@ use crate::command::output::{Answer, bar, note, system, text_of, warn, warnings}
 use crate::command::request::Request;
 use crate::input_file::is_in_memory;
 use crate::parameters::DEFAULT_PRESET;
-use crate::parts::{self, Checked, Dataset, Manifest, PartResult, SweepDefinition};
+use crate::parts::{self, Checked, Dataset, Manifest, PartResult};
 use crate::report::{Ending, Reply, summary_document};
 use crate::statistics::{Histogram, Ranking};
 use crate::units::{Message, counted};
@@ -120,12 +120,7 @@ fn stopped(PartOf { part, parts }: PartOf, request: &Request) -> Answer {
 }
 
 /// The sweep that the options describe, divided into parts.
-fn dataset_of(
-    args: &Args,
-    batch: crate::batch::Batch,
-    points: &dyn crate::batch::Points,
-    parts: u64,
-) -> Result<Dataset> {
+fn dataset_of(args: &Args, batch: Batch, points: &dyn Points, parts: u64) -> Result<Dataset> {
     let histograms = args.histogram.iter().map(|text| Histogram::read(text));
     let histograms = histograms.collect::<Result<_>>()?;
     let highest = args.highest.iter().map(|text| Ranking::read(text, true));

@@ -1,5 +1,5 @@
-use super::journal::{Journal, WrittenRows, cut, with_suffix};
-use super::rows::{FormattedRows, Identity, RowFormatter};
+use super::journal::{Journal, JournalHeader, WrittenRows, cut, with_suffix};
+use super::rows::{FormattedRows, RowFormatter};
 use crate::atomic_file::persist;
 #[cfg(feature = "parquet")]
 use crate::batch::Block;
@@ -100,17 +100,12 @@ fn nothing_to_resume(path: &Path) -> Error {
 
 impl<'a> ResumableFile<'a> {
     /// Begins the file. The destination must have been checked.
-    pub fn begin(
-        path: &Path,
-        identity: &Identity,
-        formatter: &'a RowFormatter,
-        overwrite: bool,
-    ) -> Result<Self> {
+    pub fn begin(path: &Path, header: JournalHeader, formatter: &'a RowFormatter) -> Result<Self> {
         let unwritable = |error: io::Error| unwritable(path, &error);
         // create the journal first: rows without a journal could not be identified
-        let journal = Journal::begin(path, identity, overwrite).map_err(unwritable)?;
+        let journal = Journal::begin(path, header).map_err(unwritable)?;
         // another sweep may have completed the file since the check
-        if !overwrite && path.exists() {
+        if !journal.header.overwrite && path.exists() {
             journal.remove().map_err(unwritable)?;
             return Err(exists(path));
         }
@@ -152,7 +147,11 @@ impl<'a> ResumableFile<'a> {
 
     /// Continues the file after the rows that its journal records. The destination must have been
     /// checked.
-    pub fn resume(path: &Path, identity: &Identity, formatter: &'a RowFormatter) -> Result<Self> {
+    pub fn resume(
+        path: &Path,
+        header: &JournalHeader,
+        formatter: &'a RowFormatter,
+    ) -> Result<Self> {
         let unusable =
             |error: io::Error| refused(path, format!("its sweep cannot be resumed ({error})"));
         // the file is missing if the program was killed after it created the journal, and before it
@@ -164,19 +163,22 @@ impl<'a> ResumableFile<'a> {
             .open(part_of(path))
             .map_err(unusable)?;
         let length = file.metadata().map_err(unusable)?.len();
-        let Some((journal, earlier, entries)) =
+        let Some((journal, entries)) =
             Journal::open(path, |entry| entry.bytes <= length).map_err(unusable)?
         else {
             return Err(nothing_to_resume(path));
         };
-        if let Some(part) = identity.difference(&earlier) {
+        let earlier = &journal.header;
+        let other_format = (header.format != earlier.format).then(|| "different formats".into());
+        let difference = header.definition.difference(&earlier.definition);
+        if let Some(difference) = difference.or(other_format) {
             let reason = format!(
-                "it belongs to another command ({part} differ); repeat the command that began it, \
+                "it belongs to another command ({difference}); repeat the command that began it, \
                  or give `overwrite` to replace the file"
             );
             return Err(refused(path, reason));
         }
-        if !journal.overwrite && path.exists() {
+        if !earlier.overwrite && path.exists() {
             let reason = "it exists, and the sweep into it was begun without `overwrite`; move it \
                           away, then repeat the \
                           same command with `resume`";
@@ -256,7 +258,7 @@ impl<'a> ResumableFile<'a> {
             let in_place = || {
                 self.file.sync_all()?;
                 let part = TempPath::try_from_path(part_of(&self.path))?;
-                persist(part, &self.path, self.journal.overwrite).map_err(|failed| {
+                persist(part, &self.path, self.journal.header.overwrite).map_err(|failed| {
                     // keep the file: it has all rows
                     let _ = failed.path.keep();
                     failed.error
@@ -286,7 +288,7 @@ impl<'a> ResumableFile<'a> {
 
     /// The command that continues this sweep.
     pub fn resuming_command(&self) -> &'static str {
-        if self.journal.overwrite {
+        if self.journal.header.overwrite {
             "the same command with `resume` in place of `overwrite`"
         } else {
             "the same command with `resume`"

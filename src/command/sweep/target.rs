@@ -1,9 +1,9 @@
 //! Destination and format of the rows of a sweep.
 
 use super::args::{Args, SweepFormat};
-use super::journal::Journal;
+use super::journal::{Journal, JournalHeader};
 use super::resumable::{ResumableFile, refuse_unfinished_sweep};
-use super::rows::{FormattedRows, Identity, RowFormatter};
+use super::rows::{FormattedRows, RowFormatter};
 use crate::batch::StatusCounts;
 use crate::command::files::{Destination, DestinationKind, OutputRule, OutputStream, refused};
 use crate::command::request::Request;
@@ -76,14 +76,14 @@ impl<'a> SweepOutput<'a> {
     /// Begins the output, or continues an interrupted output.
     pub fn open(
         destination: &Destination,
-        identity: &Identity,
+        header: JournalHeader,
         formatter: &'a RowFormatter,
-        args: &Args,
+        resume: bool,
     ) -> Result<Self> {
         if let Some(file) = destination.file() {
-            let file = match args.resume && Journal::path(file).exists() {
-                true => ResumableFile::resume(file, identity, formatter),
-                false => ResumableFile::begin(file, identity, formatter, args.overwrite),
+            let file = match resume && Journal::path(file).exists() {
+                true => ResumableFile::resume(file, &header, formatter),
+                false => ResumableFile::begin(file, header, formatter),
             };
             return Ok(Self::Resumable(Box::new(file?)));
         }

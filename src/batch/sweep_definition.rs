@@ -1,11 +1,10 @@
-use crate::batch::{Batch, Points};
+use super::definition::Batch;
+use super::points::Points;
 use crate::fingerprint::elementary_functions;
-use crate::statistics::SummarySpec;
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
-/// Definition of a sweep: everything that the bytes of its parts depend on. Numbers are written
-/// with all digits.
+/// Definition of a sweep: everything that its rows and the bytes of its parts depend on. Numbers
+/// are written with all digits.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SweepDefinition {
@@ -22,7 +21,8 @@ pub struct SweepDefinition {
     /// The largest integration error (defect) of a drive, m (docs/model.md, eq. 16a); `inf` if the
     /// step of the setup is used without a limit of the error.
     pub largest_defect: String,
-    /// Description of the histograms and best rows that the footer of each part contains.
+    /// Description of the histograms and best rows that the footer of each part contains; empty if
+    /// there are none.
     pub summary: String,
     /// Architecture and instruction set of the processor: `x86_64 avx2`.
     pub instructions: String,
@@ -36,12 +36,9 @@ pub struct SweepDefinition {
 }
 
 impl SweepDefinition {
-    pub(super) fn new(
-        batch: &Batch,
-        points: &dyn Points,
-        summary_spec: &SummarySpec,
-        parts: u64,
-    ) -> Self {
+    /// The definition of the sweep of `batch` over `points`. `summary` describes the histograms and
+    /// best rows.
+    pub(crate) fn new(batch: &Batch, points: &dyn Points, summary: String, parts: u64) -> Self {
         let names = |names: Vec<&str>| names.join(",");
         Self {
             version: env!("CARGO_PKG_VERSION").into(),
@@ -50,7 +47,7 @@ impl SweepDefinition {
             outcomes: names(batch.outcomes().iter().map(|of| of.name()).collect()),
             derivatives: names(batch.wrt().iter().map(|by| by.name).collect()),
             largest_defect: format!("{:?}", batch.largest_defect),
-            summary: summary_spec.identity(),
+            summary,
             instructions: batch.instructions(),
             functions: elementary_functions(),
             rows: points.rows(),
@@ -59,14 +56,9 @@ impl SweepDefinition {
     }
 
     /// JSON for the metadata of each file.
-    pub(super) fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         // serialization cannot fail: the fields are strings and integers
         serde_json::to_string(self).unwrap_or_default()
-    }
-
-    /// SHA-256, in hexadecimal.
-    pub fn hash(&self) -> String {
-        hex(Sha256::new_with_prefix(self.text()))
     }
 
     /// Difference from another definition, in words; `None` if they are equal.
@@ -100,12 +92,4 @@ impl SweepDefinition {
         let differ: Vec<_> = differ.collect();
         (!differ.is_empty()).then(|| format!("different {}", differ.join(", ")))
     }
-}
-
-/// The SHA-256 in hexadecimal, as `sha256sum` prints it.
-pub(super) fn hex(hash: Sha256) -> String {
-    hash.finalize()
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
 }
