@@ -4,7 +4,7 @@ use crate::atomic_file::{create_beside, folder_of, persist};
 use crate::batch::{Batch, Block, Points, Run, SweepDefinition};
 use crate::error::{Error, Result};
 use crate::external_errors::write_error_text;
-use crate::report::{PARQUET_MAGIC, ParquetGroup, PlacedGroup, SweepParquet};
+use crate::report::{PARQUET_MAGIC, ParquetGroup, RowGroups, SweepParquet};
 use crate::statistics::{Histogram, Ranking, Summary, SummarySpec};
 use sha2::{Digest, Sha256};
 use std::fs::{self, File};
@@ -100,7 +100,7 @@ impl Dataset {
             file: create_beside(&path).map_err(unwritten)?,
             hash: Sha256::default(),
             bytes: 0,
-            groups: vec![],
+            groups: RowGroups::default(),
             summary: self.summary_spec.empty(),
         };
         let run = Run {
@@ -181,8 +181,7 @@ impl Dataset {
         unwritten: impl Fn(io::Error) -> Error,
     ) -> Result<()> {
         let ParquetGroup { bytes, metadata } = self.table.group(&std::mem::take(waiting))?;
-        let placed = PlacedGroup::new(&metadata, file.bytes, file.groups.len())?;
-        file.groups.push(placed);
+        file.groups.add(&metadata)?;
         file.write(&bytes).map_err(unwritten)
     }
 
@@ -249,7 +248,7 @@ struct PartFile {
     /// Number of bytes written so far.
     bytes: u64,
     /// The row groups written so far.
-    groups: Vec<PlacedGroup>,
+    groups: RowGroups,
     /// Statistics of the rows computed so far.
     summary: Summary,
 }

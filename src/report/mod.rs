@@ -78,7 +78,7 @@ pub use pareto::{ParetoGoalReport, ParetoPointReport, ParetoReport, pareto_csv, 
 #[cfg(feature = "parquet")]
 pub(crate) use parquet::DEFINITION_KEY;
 #[cfg(feature = "parquet")]
-pub use parquet::{PARQUET_MAGIC, ParquetGroup, PlacedGroup};
+pub use parquet::{PARQUET_MAGIC, ParquetGroup, RowGroups};
 pub use presets::{ChangedSetting, PresetReport, PresetsReport, changes};
 pub use reply::{Empty, Ending, Reply, Report};
 pub use robust::{ModelReport, RobustReport, robust_setup};

@@ -62,42 +62,60 @@ pub struct ParquetGroup {
     pub metadata: Vec<u8>,
 }
 
-/// A row group with its place in a file.
-#[derive(Clone, Debug)]
-pub struct PlacedGroup(RowGroupMetaData);
+/// The row groups of a file, in order.
+#[derive(Clone, Debug, Default)]
+pub struct RowGroups(Vec<RowGroupMetaData>);
 
-impl PlacedGroup {
-    /// The row group that `metadata` describes, at a place in a file: byte offset `at`, and index
-    /// `ordinal` among the row groups, from 0.
+impl RowGroups {
+    /// Adds the row group that `metadata` describes, after the last row group.
     ///
     /// # Errors
     /// [`Error::Output`] if `metadata` is not the metadata of a row group.
-    pub fn new(metadata: &[u8], at: u64, ordinal: usize) -> Result<Self> {
-        let place = || {
-            let alone = ParquetMetaDataReader::decode_metadata(metadata)?;
-            let group = alone.row_groups().first().cloned();
-            let group = group
-                .ok_or_else(|| ParquetError::General("metadata without a row group".into()))?;
-            let by = at as i64 - PARQUET_MAGIC.len() as i64;
-            let columns = group.columns().iter().cloned().map(|column| {
-                let (data, dictionary) =
-                    (column.data_page_offset(), column.dictionary_page_offset());
-                let moved = column.into_builder().set_data_page_offset(data + by);
-                moved
-                    .set_dictionary_page_offset(dictionary.map(|offset| offset + by))
-                    .build()
-            });
-            let columns = columns.collect::<Result<_, _>>()?;
-            let placed = group.into_builder().set_column_metadata(columns);
-            placed
-                .set_ordinal(ordinal as i32)
-                .set_file_offset(at as i64)
-                .build()
-        };
-        place().map(Self).map_err(|_: ParquetError| {
+    pub fn add(&mut self, metadata: &[u8]) -> Result<()> {
+        let placed = self.placed(metadata).map_err(|_| {
             let reason = "the metadata of a row group of the Parquet file is damaged";
             Error::Output(std::io::Error::other(reason))
-        })
+        })?;
+        self.0.push(placed);
+        Ok(())
+    }
+
+    /// Removes the last row group.
+    pub fn remove_last(&mut self) {
+        self.0.pop();
+    }
+
+    /// The row group that `metadata` describes, with its place after the last row group.
+    fn placed(&self, metadata: &[u8]) -> Result<RowGroupMetaData, ParquetError> {
+        let alone = ParquetMetaDataReader::decode_metadata(metadata)?;
+        let Some(group) = alone.row_groups().first().cloned() else {
+            return Err(ParquetError::General("metadata without a row group".into()));
+        };
+        let at = self.end();
+        let by = at - PARQUET_MAGIC.len() as i64;
+        let columns = group.columns().iter().cloned().map(|column| {
+            let (data, dictionary) = (column.data_page_offset(), column.dictionary_page_offset());
+            let moved = column.into_builder().set_data_page_offset(data + by);
+            moved
+                .set_dictionary_page_offset(dictionary.map(|offset| offset + by))
+                .build()
+        });
+        let columns = columns.collect::<Result<_, _>>()?;
+        let placed = group.into_builder().set_column_metadata(columns);
+        placed
+            .set_ordinal(self.0.len() as i32)
+            .set_file_offset(at)
+            .build()
+    }
+
+    /// Offset of the next row group in the file, bytes.
+    fn end(&self) -> i64 {
+        let columns = self.0.last().map(RowGroupMetaData::columns);
+        let ends = columns.into_iter().flatten().map(|column| {
+            let (at, length) = column.byte_range();
+            (at + length) as i64
+        });
+        ends.max().unwrap_or(PARQUET_MAGIC.len() as i64)
     }
 }
 
@@ -120,7 +138,7 @@ impl ParquetTable {
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `columns`.
     pub fn new(name: &str, columns: &[(String, ColumnType)], definition: &str) -> Result<Self> {
-        // write no page index: `PlacedGroup::new` would have to change each position in it
+        // write no page index: `RowGroups::add` would have to change each position in it
         let mut properties = WriterProperties::builder()
             .set_created_by(concat!("longdrive ", env!("CARGO_PKG_VERSION")).into())
             .set_statistics_enabled(EnabledStatistics::Chunk)
@@ -215,12 +233,12 @@ impl ParquetTable {
     ///
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `groups` or `metadata`.
-    pub fn footer(&self, groups: &[PlacedGroup], metadata: &[(&str, String)]) -> Result<Vec<u8>> {
+    pub fn footer(&self, groups: &RowGroups, metadata: &[(&str, String)]) -> Result<Vec<u8>> {
         let footer = || {
             let none: Option<fn(usize) -> Cells> = None;
             let like = ParquetMetaDataReader::decode_metadata(&metadata_of(&self.write(none)?))?;
             let like = like.file_metadata();
-            let rows = groups.iter().map(|group| group.0.num_rows()).sum();
+            let rows = groups.0.iter().map(RowGroupMetaData::num_rows).sum();
             let further = metadata
                 .iter()
                 .map(|(key, value)| KeyValue::new((*key).to_owned(), value.clone()));
@@ -232,8 +250,7 @@ impl ParquetTable {
                 like.schema_descr_ptr(),
                 like.column_orders().cloned(),
             );
-            let metadata =
-                ParquetMetaData::new(file, groups.iter().map(|group| group.0.clone()).collect());
+            let metadata = ParquetMetaData::new(file, groups.0.clone());
             let mut bytes = Vec::new();
             ParquetMetaDataWriter::new(&mut bytes, &metadata).finish()?;
             Ok(bytes)

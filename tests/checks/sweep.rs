@@ -601,7 +601,7 @@ fn same_rows_after_reading_csv_and_json_lines() {
 mod in_parquet {
     use super::{Setup, all, blocks, open_table, small};
     use longdrive::batch::{Batch, Run};
-    use longdrive::report::{PARQUET_MAGIC, PlacedGroup, SweepParquet};
+    use longdrive::report::{PARQUET_MAGIC, RowGroups, SweepParquet};
     use longdrive::{Error, Outcome};
     use parquet::data_type::{DoubleType, FloatType, Int32Type};
     use parquet::file::properties::WriterProperties;
@@ -636,11 +636,10 @@ mod in_parquet {
         .unwrap();
         let table = SweepParquet::new(&batch, "why").unwrap();
         let mut bytes = PARQUET_MAGIC.to_vec();
-        let mut groups: Vec<PlacedGroup> = vec![];
+        let mut groups = RowGroups::default();
         for part in whole.chunks(2) {
             let group = table.group(part).unwrap();
-            let placed = PlacedGroup::new(&group.metadata, bytes.len() as u64, groups.len());
-            groups.push(placed.unwrap());
+            groups.add(&group.metadata).unwrap();
             bytes.extend(group.bytes);
         }
         bytes.extend(table.footer(&groups, &[]).unwrap());
@@ -681,7 +680,7 @@ mod in_parquet {
             }
         }
         assert!(rows.next().is_none());
-        let error = PlacedGroup::new(b"no metadata", 4, 0).err().unwrap();
+        let error = groups.add(b"no metadata").err().unwrap();
         let message = error.to_string();
         assert!(
             matches!(error, Error::Output(_)) && !message.contains("overwrite"),
@@ -696,9 +695,10 @@ mod in_parquet {
         let table = SweepParquet::new(&batch, "").unwrap();
         let mut bytes = PARQUET_MAGIC.to_vec();
         let group = table.group(&[block]).unwrap();
-        let placed = PlacedGroup::new(&group.metadata, bytes.len() as u64, 0).unwrap();
+        let mut groups = RowGroups::default();
+        groups.add(&group.metadata).unwrap();
         bytes.extend(group.bytes);
-        bytes.extend(table.footer(&[placed], &[]).unwrap());
+        bytes.extend(table.footer(&groups, &[]).unwrap());
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.parquet");
         std::fs::write(&path, bytes).unwrap();
@@ -713,11 +713,8 @@ mod in_parquet {
         let table = SweepParquet::new(&small().0, "").unwrap();
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.parquet");
-        std::fs::write(
-            &path,
-            [PARQUET_MAGIC.to_vec(), table.footer(&[], &[]).unwrap()].concat(),
-        )
-        .unwrap();
+        let footer = table.footer(&RowGroups::default(), &[]).unwrap();
+        std::fs::write(&path, [PARQUET_MAGIC.to_vec(), footer].concat()).unwrap();
         let file = SerializedFileReader::new(File::open(path).unwrap()).unwrap();
         assert_eq!(file.metadata().file_metadata().num_rows(), 0);
     }

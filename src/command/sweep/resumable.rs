@@ -7,7 +7,7 @@ use crate::command::files::{exists, refused, unwritable};
 use crate::command::output::note;
 use crate::external_errors::write_error_text;
 #[cfg(feature = "parquet")]
-use crate::report::{PARQUET_MAGIC, ParquetGroup, PlacedGroup, SweepParquet};
+use crate::report::{PARQUET_MAGIC, ParquetGroup, RowGroups, SweepParquet};
 use crate::units::counted;
 use crate::{Error, Result};
 use std::fs::{File, OpenOptions};
@@ -41,18 +41,13 @@ pub struct ResumableFile<'a> {
     last: Option<Instant>,
     /// The written row groups of a Parquet file.
     #[cfg(feature = "parquet")]
-    groups: Vec<WrittenGroup>,
+    groups: RowGroups,
+    /// The rows before each row group.
+    #[cfg(feature = "parquet")]
+    before_groups: Vec<WrittenRows>,
     /// Blocks of the next row group.
     #[cfg(feature = "parquet")]
     pending: Vec<Block>,
-}
-
-/// A row group in the file.
-#[cfg(feature = "parquet")]
-struct WrittenGroup {
-    group: PlacedGroup,
-    /// The rows before the group.
-    before: WrittenRows,
 }
 
 /// The path of an incomplete file, `FILE.part`.
@@ -139,7 +134,9 @@ impl<'a> ResumableFile<'a> {
             since: 0,
             last: None,
             #[cfg(feature = "parquet")]
-            groups: vec![],
+            groups: RowGroups::default(),
+            #[cfg(feature = "parquet")]
+            before_groups: vec![],
             #[cfg(feature = "parquet")]
             pending: vec![],
         }
@@ -339,8 +336,8 @@ impl ResumableFile<'_> {
         let ParquetGroup { bytes, metadata } = table.group(&blocks)?;
         let before = self.written.clone();
         self.append(&bytes)?;
-        let group = PlacedGroup::new(&metadata, before.bytes, self.groups.len())?;
-        self.groups.push(WrittenGroup { group, before });
+        self.groups.add(&metadata)?;
+        self.before_groups.push(before);
         for block in &blocks {
             self.written.status_counts.add(block);
         }
@@ -352,18 +349,14 @@ impl ResumableFile<'_> {
     fn write_footer(&mut self, table: &SweepParquet) -> Result<()> {
         let mut no_room = None;
         loop {
-            let groups: Vec<_> = self
-                .groups
-                .iter()
-                .map(|written| written.group.clone())
-                .collect();
-            let footer = table.footer(&groups, &[])?;
+            let footer = table.footer(&self.groups, &[])?;
             let Err(error) = self.file.write_all(&footer) else {
                 break;
             };
-            let Some(WrittenGroup { before, .. }) = self.groups.pop() else {
+            let Some(before) = self.before_groups.pop() else {
                 return Err(self.failed(&error));
             };
+            self.groups.remove_last();
             self.written = before;
             cut(&mut self.file, self.written.bytes)
                 .and_then(|()| self.journal.forget_beyond(self.written.bytes))
@@ -381,14 +374,13 @@ impl ResumableFile<'_> {
             ..WrittenRows::default()
         };
         for entry in entries {
-            let group = PlacedGroup::new(&entry.group, before.bytes, self.groups.len());
-            let group = group.map_err(|error| {
+            self.groups.add(&entry.group).map_err(|error| {
                 let reason = format!(
                     "its sweep cannot be resumed ({error}); start it again with `overwrite`"
                 );
                 refused(&self.path, reason)
             })?;
-            self.groups.push(WrittenGroup { group, before });
+            self.before_groups.push(before);
             before = entry.clone();
         }
         Ok(())

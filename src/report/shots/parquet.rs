@@ -5,7 +5,7 @@ use super::columns::{LAUNCH, MEASURED, launch};
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::report::parquet::{Cells, ColumnType, PARQUET_MAGIC, ParquetTable, PlacedGroup};
+use crate::report::parquet::{Cells, ColumnType, ParquetTable, RowGroups};
 use crate::shots::{Club, Flown, Shots};
 use crate::table::columns_remark;
 use crate::units::Message;
@@ -32,14 +32,12 @@ enum ColumnSource {
 }
 
 /// Writes flown shots as Parquet, in row groups of about 33,000 rows. The first bytes of a file are
-/// [`PARQUET_MAGIC`].
+/// [`PARQUET_MAGIC`](crate::report::PARQUET_MAGIC).
 pub struct ShotParquet {
     table: ParquetTable,
     columns: Vec<ColumnSource>,
     waiting: Vec<Flown>,
-    placed: Vec<PlacedGroup>,
-    /// Offset of the next row group in the file, bytes.
-    at: u64,
+    groups: RowGroups,
 }
 
 impl ShotParquet {
@@ -105,13 +103,11 @@ impl ShotParquet {
             .collect();
         let columns = columns.into_iter().map(|(.., of)| of).collect();
         let table = ParquetTable::new("shots", &kinds, "fly")?;
-        let at = PARQUET_MAGIC.len() as u64;
         Ok(Self {
             table,
             columns,
             waiting: vec![],
-            placed: vec![],
-            at,
+            groups: RowGroups::default(),
         })
     }
 
@@ -121,13 +117,8 @@ impl ShotParquet {
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow a value of the shots.
     pub fn push(&mut self, flown: Flown) -> Result<Vec<u8>> {
         self.waiting.push(flown);
-        match self
-            .waiting
-            .iter()
-            .map(|flown| flown.shots.len())
-            .sum::<usize>()
-            >= ROWS
-        {
+        let rows: usize = self.waiting.iter().map(|flown| flown.shots.len()).sum();
+        match rows >= ROWS {
             true => self.group(),
             false => Ok(vec![]),
         }
@@ -143,7 +134,7 @@ impl ShotParquet {
         } else {
             self.group()?
         };
-        bytes.extend(self.table.footer(&self.placed, &[])?);
+        bytes.extend(self.table.footer(&self.groups, &[])?);
         Ok(bytes)
     }
 
@@ -159,9 +150,7 @@ impl ShotParquet {
         let group = self
             .table
             .group(|number| self.cells(self.columns[number]))?;
-        let placed = PlacedGroup::new(&group.metadata, self.at, self.placed.len())?;
-        self.placed.push(placed);
-        self.at += group.bytes.len() as u64;
+        self.groups.add(&group.metadata)?;
         self.waiting.clear();
         Ok(group.bytes)
     }

@@ -1,7 +1,7 @@
 use super::{STATUS, column_counts, expect_columns};
 use crate::batch::{Batch, Block, CHUNK};
 use crate::error::Result;
-use crate::report::parquet::{Cells, ColumnType, ParquetGroup, ParquetTable, PlacedGroup};
+use crate::report::parquet::{Cells, ColumnType, ParquetGroup, ParquetTable, RowGroups};
 use parquet::data_type::ByteArray;
 
 /// Maximum number of rows in a row group.
@@ -98,12 +98,12 @@ impl SweepParquet {
         })
     }
 
-    /// The end of a file with the row groups `groups`. The file also stores the key-value pairs
+    /// The end of a file with these row groups. The file also stores the key-value pairs
     /// `metadata`.
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow `groups` or `metadata`.
-    pub fn footer(&self, groups: &[PlacedGroup], metadata: &[(&str, String)]) -> Result<Vec<u8>> {
+    pub fn footer(&self, groups: &RowGroups, metadata: &[(&str, String)]) -> Result<Vec<u8>> {
         self.table.footer(groups, metadata)
     }
 }
