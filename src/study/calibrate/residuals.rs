@@ -115,11 +115,10 @@ impl ShotResiduals<'_> {
             };
             let evaluator = Evaluator::new(&setup, &of, &self.fitted, order)?;
             for (taylor, measurement) in evaluator.at(&values)?.into_iter().zip(&shot.measured) {
-                let computed = measurement
-                    .outcome
-                    .unwrap_angle(taylor.value, measurement.value);
-                let residual = (computed - measurement.value) / measurement.sigma;
+                let residual = measurement.residual(taylor.value);
                 if residual.abs() > TOO_FAR {
+                    let (outcome, value) = (measurement.outcome, measurement.value);
+                    let computed = outcome.unwrap_angle(taylor.value, value);
                     return Err(too_far(measurement, computed));
                 }
                 rows.residuals.push(residual);

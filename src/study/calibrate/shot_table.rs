@@ -95,6 +95,13 @@ pub struct Measurement {
     pub sigma: f64,
 }
 
+impl Measurement {
+    /// The computed minus the measured value, in units of the standard uncertainty.
+    pub(in crate::study) fn residual(&self, computed: f64) -> f64 {
+        self.outcome.change(self.value, computed) / self.sigma
+    }
+}
+
 /// A parameter in which the carry is stationary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stationary {

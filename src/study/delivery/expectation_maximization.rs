@@ -8,6 +8,7 @@ use super::unknown::Unknown;
 use crate::derivative::{Evaluator, Order, Taylor};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
+use crate::study::calibrate::Measurement;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 /// A direction of parameter space is identified if the information of a shot along it exceeds this
@@ -36,8 +37,8 @@ fn differences(
     let wrt: Vec<_> = unknowns.iter().map(|unknown| unknown.parameter).collect();
     let computed = Evaluator::new(&shot.setup, own, &wrt, Order::Value)?.at(at)?;
     let difference = |(one, taylor): (&Explained, &Taylor)| {
-        let measured = one.measured;
-        measured.value - measured.outcome.unwrap_angle(taylor.value, measured.value)
+        let Measurement { outcome, value, .. } = one.measured;
+        -outcome.change(value, taylor.value)
     };
     Ok(shot
         .explained

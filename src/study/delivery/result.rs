@@ -32,7 +32,7 @@ pub struct Posterior {
 impl Posterior {
     /// The found minus the prior value, in prior standard uncertainties.
     pub fn residual(&self) -> f64 {
-        (self.value - self.unknown.prior) / self.unknown.sigma
+        self.unknown.residual(self.value)
     }
 }
 
@@ -48,22 +48,6 @@ pub struct Explained {
     pub computed: f64,
     /// The computed minus the measured value, in units of the standard uncertainty.
     pub residual: f64,
-}
-
-impl Explained {
-    /// A measurement with its computed value.
-    pub(super) fn new(measured: Measurement, computed: f64) -> Self {
-        let Measurement {
-            outcome,
-            value,
-            sigma,
-        } = measured;
-        Self {
-            measured,
-            computed,
-            residual: outcome.change(value, computed) / sigma,
-        }
-    }
 }
 
 /// A value counts as explained if it differs from the given value by at most this number of

@@ -133,19 +133,11 @@ impl Spread {
     /// no such shot.
     pub fn of(all: &[ShotDelivery]) -> Vec<Self> {
         let found: Vec<&Delivered> = all.iter().filter_map(ShotDelivery::explained).collect();
-        let Some(first) = found.first() else {
-            return vec![];
-        };
-        let one = |i: usize| {
-            let values = found.iter().map(|delivered| delivered.posteriors[i].value);
-            let moments = Moments::of(values);
-            Self {
-                parameter: first.posteriors[i].unknown.parameter,
-                mean: moments.mean.unwrap_or(f64::NAN),
-                deviation: moments.deviation(),
-            }
-        };
-        (0..first.posteriors.len()).map(one).collect()
+        let first = found.first().map_or(&[][..], |first| &first.posteriors);
+        let unknowns = first.iter().map(|posterior| posterior.unknown.parameter);
+        unknowns
+            .map(|parameter| Self::over(&found, parameter))
+            .collect()
     }
 
     /// The distribution, over the shots whose launch is explained, of each parameter that a row of
@@ -158,17 +150,20 @@ impl Spread {
                 given.push(parameter);
             }
         }
-        let one = |parameter: &'static Parameter| {
-            let value = |delivered: &&Delivered| delivered.setup.value(parameter);
-            let values: Vec<f64> = found.iter().filter_map(value).collect();
-            let moments = Moments::of(values);
-            Self {
-                parameter,
-                mean: moments.mean.unwrap_or(f64::NAN),
-                deviation: moments.deviation(),
-            }
-        };
-        given.into_iter().map(one).collect()
+        given
+            .into_iter()
+            .map(|parameter| Self::over(&found, parameter))
+            .collect()
+    }
+
+    fn over(shots: &[&Delivered], parameter: &'static Parameter) -> Self {
+        let values = shots.iter().filter_map(|shot| shot.setup.value(parameter));
+        let moments = Moments::of(values);
+        Self {
+            parameter,
+            mean: moments.mean.unwrap_or(f64::NAN),
+            deviation: moments.deviation(),
+        }
     }
 
     /// True if the shots have different values.

@@ -53,7 +53,11 @@ pub fn delivery(
     let moved = own.with_values(&wrt, &found.x)?;
     let computed = evaluator.at(&found.x)?;
     let explained = measured.iter().zip(&computed);
-    let explained = explained.map(|(measured, taylor)| Explained::new(*measured, taylor.value));
+    let explained = explained.map(|(measured, taylor)| Explained {
+        measured: *measured,
+        computed: taylor.value,
+        residual: measured.residual(taylor.value),
+    });
     let free: Vec<usize> = (0..unknowns.len())
         .filter(|&i| {
             let [low, high] = unknowns[i].range;
@@ -139,7 +143,7 @@ fn posteriors(
 fn rows(taylors: &[Taylor], measured: &[Measurement], unknowns: &[Unknown], x: &[f64]) -> Rows {
     let (mut residuals, mut jacobian) = (vec![], vec![]);
     for (taylor, measurement) in taylors.iter().zip(measured) {
-        residuals.push(Explained::new(*measurement, taylor.value).residual);
+        residuals.push(measurement.residual(taylor.value));
         jacobian.push(
             taylor
                 .gradient
@@ -149,7 +153,7 @@ fn rows(taylors: &[Taylor], measured: &[Measurement], unknowns: &[Unknown], x: &
         );
     }
     for (i, (unknown, value)) in unknowns.iter().zip(x).enumerate() {
-        residuals.push((value - unknown.prior) / unknown.sigma);
+        residuals.push(unknown.residual(*value));
         jacobian.push(
             (0..unknowns.len())
                 .map(|k| if k == i { 1.0 / unknown.sigma } else { 0.0 })

@@ -68,6 +68,11 @@ impl Unknown {
         self.source.is_none() || self.has_assumed_error()
     }
 
+    /// The distance of a value from the prior, in prior standard uncertainties.
+    pub(super) fn residual(&self, value: f64) -> f64 {
+        (value - self.prior) / self.sigma
+    }
+
     /// The unknown with a measured value as its prior. A stated uncertainty stays. A default
     /// uncertainty is replaced by the uncertainty of a launch monitor, if that is known. The search
     /// range is widened to include the search range around `value`.
