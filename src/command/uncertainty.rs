@@ -84,7 +84,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let is_found = found
         .outcomes
         .iter()
-        .all(|outcome| outcome.sampled.is_some());
+        .all(|outcome| outcome.monte_carlo.is_some());
     let report = UncertaintyReport::new(&found);
     let answer = Answer::report(&report, &request.origin(), request.is_json);
     Ok(answer.found(is_found))

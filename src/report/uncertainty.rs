@@ -91,7 +91,7 @@ impl Report for UncertaintyReport<'_> {
         let all = &self.found.outcomes;
         let missing: Vec<_> = all
             .iter()
-            .filter(|outcome| outcome.sampled.is_none())
+            .filter(|outcome| outcome.monte_carlo.is_none())
             .map(|outcome| outcome.of.name())
             .collect();
         Ending {
@@ -192,7 +192,7 @@ fn add_outcome(
     system: System,
 ) {
     let of = outcome.of;
-    if let Some(sampled) = outcome.sampled.as_ref().filter(|_| !outcome.varies) {
+    if let Some(sampled) = outcome.monte_carlo.as_ref().filter(|_| !outcome.varies) {
         let mean = shown::outcome(of, sampled.mean.value, system);
         let why = match (depends(outcome, found), found.inputs.len()) {
             (true, _) => "it varies by less than rounding, since the uncertainty is so small",
@@ -207,11 +207,12 @@ fn add_outcome(
     }
     document.add(moments(outcome, found, system));
     // a small sample has no shares
-    let Some(sampled) = (outcome.sampled.as_ref()).filter(|found| found.quantiles.is_some()) else {
+    let Some(sampled) = (outcome.monte_carlo.as_ref()).filter(|found| found.quantiles.is_some())
+    else {
         return;
     };
     document.list(shares_lines(outcome, system));
-    let table = shares(outcome, sampled.left_out, found);
+    let table = shares(outcome, sampled.rows_left_out, found);
     document.add_detail(DocumentBlock::Table(table), Detail::WithAll);
 }
 
@@ -220,14 +221,16 @@ fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) ->
     let of = outcome.of;
     let value = |value: f64| shown::outcome(of, value, system);
     let spread = |value: f64| shown::difference(of, value, system);
-    let row = |words: &str, m: DeltaMoments| vec![words.into(), value(m.mean), spread(m.deviation)];
+    let row = |words: &str, m: DeltaMoments| {
+        vec![words.into(), value(m.mean), spread(m.standard_uncertainty)]
+    };
     let mut rows = vec![];
     rows.extend(outcome.delta.map(|first| row("by the gradient", first)));
     let second = outcome.second_order;
     rows.extend(second.map(|second| row("by gradient and Hessian", second)));
     let mut remarks = vec![];
-    if let Some(sampled) = &outcome.sampled {
-        let (mean, deviation) = (sampled.mean, sampled.deviation);
+    if let Some(sampled) = &outcome.monte_carlo {
+        let (mean, deviation) = (sampled.mean, sampled.standard_uncertainty);
         rows.push(vec![
             "by the sample".into(),
             value(mean.value),
@@ -289,7 +292,7 @@ fn shares_lines(outcome: &OutcomeUncertainty, system: System) -> Vec<Line> {
         format!(
             "measure {} first: once it is known exactly, the standard deviation falls to {}",
             first.parameter.name,
-            shown::difference(outcome.of, first.deviation, system)
+            shown::difference(outcome.of, first.standard_uncertainty, system)
         )
     });
     shares.into_iter().chain(first).map(Line::item).collect()

@@ -67,7 +67,7 @@ fn sampled_shares_of_ishigamis_function_lie_within_their_intervals() {
     assert!(
         found.mean.interval().unwrap().contains(3.5)
             && found
-                .deviation
+                .standard_uncertainty
                 .interval()
                 .unwrap()
                 .contains(variance.sqrt()),
@@ -117,7 +117,7 @@ fn sampled_shares_of_the_g_function_lie_within_their_intervals() {
     let mut held = vec![
         found.mean.interval().unwrap().contains(1.0),
         found
-            .deviation
+            .standard_uncertainty
             .interval()
             .unwrap()
             .contains(variance.sqrt()),
@@ -169,7 +169,7 @@ fn sampled_coverage_of_95_percent_intervals_of_shares() {
         let held = held.chain([
             found.mean.interval().unwrap().contains(3.5),
             found
-                .deviation
+                .standard_uncertainty
                 .interval()
                 .unwrap()
                 .contains(variance.sqrt()),
@@ -296,7 +296,10 @@ fn exact_share_of_a_single_uncertain_parameter_is_one() {
     )
     .unwrap();
     let first = found.outcomes[0].measure_first.unwrap();
-    assert_eq!((first.parameter.name, first.deviation), ("club.loft", 0.0));
+    assert_eq!(
+        (first.parameter.name, first.standard_uncertainty),
+        ("club.loft", 0.0)
+    );
 }
 
 #[test]
@@ -322,7 +325,7 @@ fn sampled_moments_are_those_of_the_distributions() {
         assert!(
             found.mean.interval().unwrap().contains(distribution.mean())
                 && found
-                    .deviation
+                    .standard_uncertainty
                     .interval()
                     .unwrap()
                     .contains(distribution.deviation()),
@@ -353,9 +356,9 @@ fn missing_values_are_counted_and_not_replaced() {
         |x| (x[0] > 0.0).then_some(x[0]),
     );
     assert!(
-        found.left_out > 500 && found.left_out < 900,
+        found.rows_left_out > 500 && found.rows_left_out < 900,
         "{}",
-        found.left_out
+        found.rows_left_out
     );
     close(
         found.mean.value,
@@ -381,7 +384,7 @@ fn missing_values_are_counted_and_not_replaced() {
         },
         |_| Some(2.0),
     );
-    assert!(constant.indices[0].is_none() && constant.deviation.value == 0.0);
+    assert!(constant.indices[0].is_none() && constant.standard_uncertainty.value == 0.0);
 }
 
 fn drive() -> (Setup<f64>, Vec<Uncertain>) {
@@ -411,20 +414,20 @@ fn sampled_drives_agree_with_gradients_where_nearly_linear() {
     for outcome in &found.outcomes {
         let first = outcome.delta.unwrap();
         let second = outcome.second_order;
-        let (second, sampled) = (second.unwrap(), outcome.sampled.as_ref().unwrap());
+        let (second, sampled) = (second.unwrap(), outcome.monte_carlo.as_ref().unwrap());
         close(
-            first.deviation,
-            sampled.deviation.value,
-            first.deviation,
+            first.standard_uncertainty,
+            sampled.standard_uncertainty.value,
+            first.standard_uncertainty,
             0.05,
             outcome.of.name(),
         );
         assert!(
             sampled
-                .deviation
+                .standard_uncertainty
                 .interval()
                 .unwrap()
-                .contains(second.deviation),
+                .contains(second.standard_uncertainty),
             "{}: {sampled:?} {second:?}",
             outcome.of.name()
         );
@@ -523,7 +526,14 @@ fn drives_that_do_not_fly_are_counted() {
         found.status_counts
     );
     assert_eq!(count(Status::NoFlight) + count(Status::Landed), 900);
-    assert!(found.outcomes[0].sampled.as_ref().unwrap().left_out > 0);
+    assert!(
+        found.outcomes[0]
+            .monte_carlo
+            .as_ref()
+            .unwrap()
+            .rows_left_out
+            > 0
+    );
 }
 
 #[test]
@@ -681,7 +691,7 @@ fn an_outcome_without_uncertain_parameters_says_so() {
     let found = uncertainty(&setup, &of, &[density], plan, &|_, _| ()).unwrap();
     let drive = Drive::new(&setup).unwrap();
     for outcome in &found.outcomes[..2] {
-        let sampled = outcome.sampled.as_ref().unwrap();
+        let sampled = outcome.monte_carlo.as_ref().unwrap();
         assert_eq!(
             sampled.mean.value,
             outcome.of.of(&drive).unwrap(),
@@ -689,9 +699,9 @@ fn an_outcome_without_uncertain_parameters_says_so() {
         );
         assert_eq!(
             (
-                sampled.deviation.value,
-                sampled.deviation.low,
-                sampled.deviation.high
+                sampled.standard_uncertainty.value,
+                sampled.standard_uncertainty.low,
+                sampled.standard_uncertainty.high
             ),
             (0.0, Some(0.0), Some(0.0))
         );
@@ -733,7 +743,7 @@ fn a_constant_with_rounding_is_a_constant() {
         },
         |x| Some(0.1 + x[0].sin() * 1e-17),
     );
-    assert!(constant.indices[0].is_none() && constant.deviation.value == 0.0);
+    assert!(constant.indices[0].is_none() && constant.standard_uncertainty.value == 0.0);
     let rounded = statistics(
         &[CIRCLE],
         SamplePlan {
@@ -742,7 +752,7 @@ fn a_constant_with_rounding_is_a_constant() {
         },
         |x| Some(0.1 * (1.0 + 1e-15 * x[0].signum())),
     );
-    assert!(rounded.indices[0].is_none() && rounded.deviation.value == 0.0);
+    assert!(rounded.indices[0].is_none() && rounded.standard_uncertainty.value == 0.0);
     let varies = statistics(
         &[CIRCLE],
         SamplePlan {
@@ -751,7 +761,7 @@ fn a_constant_with_rounding_is_a_constant() {
         },
         |x| Some(0.1 * (1.0 + 1e-12 * x[0])),
     );
-    assert!(varies.indices[0].is_some() && varies.deviation.value > 0.0);
+    assert!(varies.indices[0].is_some() && varies.standard_uncertainty.value > 0.0);
 }
 
 /// The remaining deviation of an outcome if its dominant parameter is known, compared with the root
@@ -779,9 +789,9 @@ fn independent_remaining_deviation_where_one_parameter_dominates() {
         let mut fixed = setup;
         fixed.swing.face_angle += deg.to_radians();
         run(&fixed, &others, 0)
-            .sampled
+            .monte_carlo
             .unwrap()
-            .deviation
+            .standard_uncertainty
             .value
             .powi(2)
     };
@@ -790,7 +800,13 @@ fn independent_remaining_deviation_where_one_parameter_dominates() {
     for seed in 0..4 {
         let first = run(&setup, &all, seed).measure_first.unwrap();
         assert_eq!(first.parameter.name, "swing.face_angle");
-        close(first.deviation, exact, exact, 0.1, "what is left");
+        close(
+            first.standard_uncertainty,
+            exact,
+            exact,
+            0.1,
+            "what is left",
+        );
     }
 }
 
@@ -816,7 +832,7 @@ fn huge_uncertainties_give_no_infinity() {
         let first = outcome.delta.unwrap();
         let second = outcome.second_order;
         assert!(
-            first.deviation.is_finite() && second.is_none(),
+            first.standard_uncertainty.is_finite() && second.is_none(),
             "{outcome:?}"
         );
     }
@@ -1348,7 +1364,9 @@ fn statistics_of_other_lengths_panic_with_both_and_leave_no_nan() {
         .into();
     let found = design.statistics(&one_missing).unwrap();
     assert!(
-        found.left_out == 1 && found.mean.value.is_finite() && found.deviation.value.is_finite(),
+        found.rows_left_out == 1
+            && found.mean.value.is_finite()
+            && found.standard_uncertainty.value.is_finite(),
         "{found:?}"
     );
 
@@ -1412,7 +1430,7 @@ fn exact_moments_of_a_linear_function_of_any_distributions() {
         &inputs,
     );
     assert!((first.mean - 4.0).abs() < 1e-15);
-    assert!((first.deviation - (36.0_f64 + 12.0 + 0.5).sqrt()).abs() < 1e-15);
+    assert!((first.standard_uncertainty - (36.0_f64 + 12.0 + 0.5).sqrt()).abs() < 1e-15);
     assert_eq!(second, Some(first));
 }
 
@@ -1429,14 +1447,17 @@ fn exact_moments_of_squares_and_products() {
         hessian: vec![vec![2.0]],
     };
     let second = delta_method(&square, &[normal]).1.unwrap();
-    assert!((second.mean - 1.0).abs() < 1e-15 && (second.deviation - 2.0_f64.sqrt()).abs() < 1e-15);
+    assert!(
+        (second.mean - 1.0).abs() < 1e-15
+            && (second.standard_uncertainty - 2.0_f64.sqrt()).abs() < 1e-15
+    );
     let product = Taylor {
         value: 0.0,
         gradient: vec![0.0; 2],
         hessian: vec![vec![0.0, 1.0], vec![1.0, 0.0]],
     };
     let second = delta_method(&product, &[normal, normal]).1.unwrap();
-    assert_eq!((second.mean, second.deviation), (0.0, 1.0));
+    assert_eq!((second.mean, second.standard_uncertainty), (0.0, 1.0));
     // (x + 1)² for x uniform on [0, 1], expanded about ½: mean 7/3, variance ∫(x+1)⁴ − (7/3)² =
     // 31/5 − 49/9
     let uniform = Uniform {
@@ -1450,7 +1471,7 @@ fn exact_moments_of_squares_and_products() {
     };
     let second = delta_method(&shifted, &[uniform]).1.unwrap();
     assert!((second.mean - 7.0 / 3.0).abs() < 1e-15);
-    assert!((second.deviation.powi(2) - (31.0 / 5.0 - 49.0 / 9.0)).abs() < 1e-14);
+    assert!((second.standard_uncertainty.powi(2) - (31.0 / 5.0 - 49.0 / 9.0)).abs() < 1e-14);
     // x² of a skew triangle on [0, 1] with its mode at 0, density 2 (1 − x): E x² = 1/6, E x⁴ =
     // 1/15
     let triangle = Triangular {
@@ -1465,7 +1486,7 @@ fn exact_moments_of_squares_and_products() {
     };
     let second = delta_method(&square, &[triangle]).1.unwrap();
     assert!((second.mean - 1.0 / 6.0).abs() < 1e-15);
-    assert!((second.deviation.powi(2) - (1.0 / 15.0 - 1.0 / 36.0)).abs() < 1e-15);
+    assert!((second.standard_uncertainty.powi(2) - (1.0 / 15.0 - 1.0 / 36.0)).abs() < 1e-15);
 }
 
 #[test]

@@ -10,8 +10,7 @@ pub struct DeltaMoments {
     /// The mean.
     pub mean: f64,
     /// The standard deviation.
-    #[serde(rename = "standard_uncertainty")]
-    pub deviation: f64,
+    pub standard_uncertainty: f64,
 }
 
 /// Mean and standard deviation of a function of independent random variables by the delta method,
@@ -53,7 +52,7 @@ pub fn delta_method(
     };
     let first = DeltaMoments {
         mean: at_means.value,
-        deviation,
+        standard_uncertainty: deviation,
     };
     if at_means.hessian.is_empty() {
         return (first, None);
@@ -72,7 +71,7 @@ pub fn delta_method(
         first,
         Some(DeltaMoments {
             mean,
-            deviation: variance.max(0.0).sqrt(),
+            standard_uncertainty: variance.max(0.0).sqrt(),
         }),
     )
 }

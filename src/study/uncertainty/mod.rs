@@ -101,7 +101,7 @@ impl Uncertainty {
             )
         });
         let is_small = |outcome: &&OutcomeUncertainty| {
-            let sampled = outcome.sampled.as_ref();
+            let sampled = outcome.monte_carlo.as_ref();
             outcome.varies && sampled.is_some_and(|sampled| sampled.quantiles.is_none())
         };
         let small: Vec<_> = self.outcomes.iter().filter(is_small).collect();
@@ -151,8 +151,7 @@ pub struct OutcomeUncertainty {
     pub second_order: Option<DeltaMoments>,
     /// The statistics of the sample; `null` if fewer than two drives of the sample have the
     /// outcome.
-    #[serde(rename = "monte_carlo")]
-    pub sampled: Option<Statistics>,
+    pub monte_carlo: Option<Statistics>,
     /// The Sobol' indices of each uncertain parameter: its shares in the variance.
     pub indices: Vec<Contribution>,
     /// The parameter whose exact knowledge reduces the uncertainty most; `null` if the outcome does
@@ -192,28 +191,21 @@ pub struct MeasureFirst {
     /// The parameter.
     pub parameter: &'static Parameter,
     /// The standard uncertainty of the outcome once the parameter is known exactly, SI.
-    #[serde(rename = "standard_uncertainty")]
-    pub deviation: f64,
+    pub standard_uncertainty: f64,
 }
 
 /// The parameter with the largest first-order index, and the root of the mean variance that remains
 /// once this parameter is known. `None` if the outcome does not vary, or if no index is positive.
-fn measure_first(sampled: &Statistics, inputs: &[Uncertain]) -> Option<MeasureFirst> {
-    let share = |(at, indices): (usize, &Option<Indices>)| Some((at, indices.as_ref()?.first));
-    let (first, share) = sampled
-        .indices
+fn measure_first(sampled: &Statistics, indices: &[Contribution]) -> Option<MeasureFirst> {
+    let (first, share) = indices
         .iter()
-        .enumerate()
-        .filter_map(share)
+        .filter_map(|one| Some((one.parameter, one.first?)))
         .max_by(|a, b| a.1.value.total_cmp(&b.1.value))
         .filter(|best| best.1.value > 0.0)?;
-    let others = sampled
-        .indices
+    let totals: Option<f64> = indices
         .iter()
-        .enumerate()
-        .filter(|(at, _)| *at != first);
-    let totals: Option<f64> = others
-        .map(|(_, indices)| Some(indices.as_ref()?.total.value))
+        .filter(|one| one.parameter != first)
+        .map(|one| Some(one.total?.value))
         .sum();
     // knowledge of the parameter leaves the fraction 1 − `share` of the variance. The sum of the
     // other total indices is an upper bound of this fraction. If `share` is close to 1, the sum is
@@ -222,8 +214,8 @@ fn measure_first(sampled: &Statistics, inputs: &[Uncertain]) -> Option<MeasureFi
         .filter(|most| *most < 1.0 - share.low)
         .unwrap_or(1.0 - share.value);
     Some(MeasureFirst {
-        parameter: inputs[first].parameter,
-        deviation: sampled.deviation.value * left.max(0.0).sqrt(),
+        parameter: first,
+        standard_uncertainty: sampled.standard_uncertainty.value * left.max(0.0).sqrt(),
     })
 }
 
@@ -351,8 +343,10 @@ impl SampledDrives<'_> {
             .map(|slopes| slopes.into_iter().map(squared).collect())
             .collect();
         let sampled = self.design.statistics(&values);
-        let exists =
-            |moments: &DeltaMoments| moments.mean.is_finite() && moments.deviation.is_finite();
+        let indices = self.contributions(&values, &squares, sampled.as_ref());
+        let exists = |moments: &DeltaMoments| {
+            moments.mean.is_finite() && moments.standard_uncertainty.is_finite()
+        };
         let at_means = self.at_means[i].clone();
         let moments = at_means
             .as_ref()
@@ -362,15 +356,15 @@ impl SampledDrives<'_> {
             of: self.outcomes[i],
             varies: sampled
                 .as_ref()
-                .is_none_or(|sampled| sampled.deviation.value > 0.0),
+                .is_none_or(|sampled| sampled.standard_uncertainty.value > 0.0),
             at_means,
             delta: moments.map(|(first, _)| first),
             second_order: moments.and_then(|(_, second)| second).filter(exists),
-            indices: self.contributions(&values, &squares, sampled.as_ref()),
             measure_first: sampled
                 .as_ref()
-                .and_then(|sampled| measure_first(sampled, self.inputs)),
-            sampled,
+                .and_then(|sampled| measure_first(sampled, &indices)),
+            indices,
+            monte_carlo: sampled,
         }
     }
 

@@ -70,8 +70,7 @@ pub struct Statistics {
     pub mean: SampleEstimate,
     /// The standard deviation, SI.
     // 0 if the outcome varies only by rounding
-    #[serde(rename = "standard_uncertainty")]
-    pub deviation: SampleEstimate,
+    pub standard_uncertainty: SampleEstimate,
     /// The quantiles at 2.5, 50 and 97.5 %, SI; `null` for a sample of fewer than 100 points.
     #[serde(serialize_with = "by_level")]
     #[cfg_attr(
@@ -86,8 +85,7 @@ pub struct Statistics {
     pub indices: Vec<Option<Indices>>,
     /// Number of points that are omitted because one of their drives does not have the outcome.
     // the indices also omit these points
-    #[serde(rename = "rows_left_out")]
-    pub left_out: usize,
+    pub rows_left_out: usize,
 }
 
 fn by_level<S: Serializer>(
@@ -177,7 +175,7 @@ impl SaltelliDesign {
             let numbers = [moments.mean, moments.deviation()];
             numbers.map(|number| number.unwrap_or(f64::NAN)).to_vec()
         });
-        let [mean, deviation] = [0, 1].map(|i| SampleEstimate {
+        let [mean, standard_uncertainty] = [0, 1].map(|i| SampleEstimate {
             value: moments[i].value,
             low: is_enough.then_some(moments[i].low),
             high: is_enough.then_some(moments[i].high),
@@ -197,10 +195,10 @@ impl SaltelliDesign {
         all.sort_by(f64::total_cmp);
         Some(Statistics {
             mean,
-            deviation,
+            standard_uncertainty,
             quantiles: is_enough.then(|| [0.025, 0.5, 0.975].map(|p| quantile(&all, p))),
             indices,
-            left_out: values[0].len() - rows.len(),
+            rows_left_out: values[0].len() - rows.len(),
         })
     }
 
