@@ -2,6 +2,7 @@ use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::{outcomes, sigmas};
 use crate::command::output::{Answer, note, system, warn, with_bar};
 use crate::command::request::Request;
+use crate::derivative::all_variables;
 use crate::parameters::Parameter;
 use crate::report::{EffectsReport, SetupOrigin, by_reason};
 use crate::study::{
@@ -133,9 +134,8 @@ fn total_slopes(best: &Optimum) -> Result<Vec<(&'static Parameter, Result<Sensit
         let mut varied = best.search.vary.iter();
         varied.any(|vary| vary.parameter == parameter)
     };
-    let runs = best.search.outcomes().iter().any(|of| of.needs_run());
-    let mut wrt = best.setup.variables();
-    wrt.retain(|parameter| !is_varied(parameter) && (runs || !parameter.affects_only_run()));
+    let mut wrt = all_variables(&best.setup, &best.search.outcomes());
+    wrt.retain(|parameter| !is_varied(parameter));
     sensitivities(best, &wrt, &mut |_, _| ())
 }
 

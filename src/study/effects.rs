@@ -2,7 +2,7 @@
 //! uncertainty.
 
 use super::sigma::Sigma;
-use crate::derivative::{Order, Taylor, evaluate};
+use crate::derivative::{Order, Taylor, all_variables, evaluate};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
@@ -123,11 +123,11 @@ pub fn effects(
 ) -> Result<Vec<Effects>> {
     sigmas.iter().try_for_each(|sigma| sigma.check(setup))?;
     let mut parameters = setup.variables();
-    // omit parameters that affect only the run, unless an outcome needs them or their uncertainty
-    // is stated
-    let runs = of.iter().any(|of| of.needs_run());
+    // a parameter of the run whose uncertainty is stated has an effect, 0, also if no outcome needs
+    // the run
+    let of_outcomes = all_variables(setup, of);
     let has_sigma = |parameter| sigmas.iter().any(|sigma| sigma.parameter == parameter);
-    parameters.retain(|parameter| runs || !parameter.affects_only_run() || has_sigma(*parameter));
+    parameters.retain(|parameter| of_outcomes.contains(parameter) || has_sigma(*parameter));
     let taylors = evaluate(setup, of, &parameters, Order::First)?;
     let mut sigma_effects: Vec<Vec<SigmaEffect>> = vec![vec![]; of.len()];
     for (done, sigma) in sigmas.iter().enumerate() {
