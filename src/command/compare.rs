@@ -4,7 +4,6 @@ use crate::command::output::{Answer, note, note_error, spinner, warn};
 use crate::command::request::{CommandSetting, Request, Source, refuse_duplicates, warn_of_idle};
 use crate::report::{ComparisonReport, SetupOrigin};
 use crate::study::Comparison;
-use crate::units::Message;
 use crate::{Error, Outcome, Result};
 use std::collections::BTreeSet;
 
@@ -57,9 +56,11 @@ pub fn run(args: &Args) -> Result<Answer> {
     let of = outcomes(&args.of)?;
     let requests = args.pair.requests()?;
     let comparison = args.pair.comparison(&requests)?;
-    warn(warnings(&comparison, Outcome::ALL));
-    if let Some(advice) = loft_advice(&requests) {
-        note(&advice);
+    warn(comparison.warnings(Outcome::ALL));
+    let origin = origin(&requests);
+    let is_json = args.pair.setup_args.json;
+    if !is_json && !origin.advice.is_empty() {
+        note(&origin.advice);
     }
     let spinner = spinner("splitting the difference");
     let found = comparison.of_each(&of);
@@ -77,36 +78,22 @@ pub fn run(args: &Args) -> Result<Answer> {
         }
     }
     let report = ComparisonReport::new(&comparison, &each, requests.each_ref().map(Request::title));
-    // an empty origin: the report itself names both setups
-    let origin = SetupOrigin::default();
-    let answer = Answer::report(&report, &origin, args.pair.setup_args.json);
-    Ok(answer.found(is_complete))
+    Ok(Answer::report(&report, &origin, is_json).found(is_complete))
 }
 
-/// The advice on the loft of the first drive that needs it.
-pub fn loft_advice(requests: &[Request; 2]) -> Option<String> {
-    requests.iter().find_map(Request::loft_advice)
-}
-
-/// The warnings of both drives about these outcomes. Each warning begins with the name of its
-/// drive.
-pub fn warnings(comparison: &Comparison, of: &[Outcome]) -> Vec<Message> {
-    let of_drive = |(name, side): (&str, usize)| {
-        let warnings = comparison.drives[side].warnings_about(&comparison.setups[side], of);
-        warnings
-            .into_iter()
-            .map(|warning| Message::from(format!("drive {name}: ")).message(warning))
-            .collect::<Vec<_>>()
-    };
-    [("a", 0), ("b", 1)]
-        .into_iter()
-        .flat_map(of_drive)
-        .collect()
+/// The advice on the loft of the first drive that needs it. There is no title: the answer itself
+/// names both setups.
+pub fn origin(requests: &[Request; 2]) -> SetupOrigin {
+    let advice = requests.iter().find_map(Request::loft_advice);
+    SetupOrigin {
+        advice: advice.unwrap_or_default(),
+        ..SetupOrigin::default()
+    }
 }
 
 /// Names of the drives in errors.
-const A: &str = "drive a";
-const B: &str = "drive b";
+const A: &str = Comparison::NAMES[0];
+const B: &str = Comparison::NAMES[1];
 
 impl PairArgs {
     /// The requests of the two drives.

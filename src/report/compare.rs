@@ -5,8 +5,8 @@ use super::reply::{Ending, Report};
 use super::shown;
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::parameters::{Parameter, Setup, UNSET};
-use crate::study::{Cause, Comparison, Difference, Share, Shares};
+use crate::parameters::{Parameter, UNSET};
+use crate::study::{Cause, CauseValue, Comparison, Difference, Share, Shares};
 use crate::units::System;
 use serde::Serialize;
 
@@ -223,10 +223,8 @@ fn add_shares(
     let of = difference.of;
     let (with, without) = by_size(difference, split);
     if let ([only], []) = (&with[..], &without[..]) {
-        let [a, b] = split
-            .setups
-            .each_ref()
-            .map(|setup| cell(only.cause, setup, system).replace('\n', ", "));
+        let values = only.values.each_ref();
+        let [a, b] = values.map(|value| cell(only.cause, value, system).replace('\n', ", "));
         let cause = only.cause.name();
         document.list([Line::flush(format!(
             "{title}: all of it from {cause}, {a} → {b}"
@@ -242,10 +240,8 @@ fn add_shares(
         return;
     }
     let rows = with.iter().map(|share| {
-        let [a, b] = split
-            .setups
-            .each_ref()
-            .map(|setup| cell(share.cause, setup, system));
+        let values = share.values.each_ref();
+        let [a, b] = values.map(|value| cell(share.cause, value, system));
         vec![
             share.cause.name().into(),
             a,
@@ -314,34 +310,26 @@ fn names(causes: impl Iterator<Item = Cause>) -> String {
     causes.map(Cause::name).collect::<Vec<_>>().join(", ")
 }
 
-/// The value of a cause in one of the two setups. [`Cause::Alternatives`] has a line for each
-/// parameter that the setup states.
-fn cell(cause: Cause, setup: &Setup<f64>, system: System) -> String {
-    match cause {
-        Cause::Continuous(parameter) | Cause::Discrete(parameter) => {
-            stated(parameter, setup, system)
+/// The value of a cause in one of the two drives. A quantity that may be stated in several ways has
+/// a line for each parameter that states it.
+fn cell(cause: Cause, value: &CauseValue, system: System) -> String {
+    let stated = |parameter: &Parameter, number: &JsonNumber| match number.0 {
+        Some(value) => shown::stated(parameter, value, system),
+        None => UNSET.into(),
+    };
+    match (cause, value) {
+        (Cause::Continuous(parameter) | Cause::Discrete(parameter), CauseValue::Number(number)) => {
+            stated(parameter, number)
         }
-        Cause::Law | Cause::Golfer | Cause::SpeedOf | Cause::Launch => {
-            cause.choice_in(setup).unwrap_or_default().into()
-        }
-        Cause::Alternatives(alternatives) => {
-            let line = |parameter: &&'static Parameter| {
+        (_, CauseValue::Choice(name)) => (*name).into(),
+        (_, CauseValue::Numbers(numbers)) => {
+            let lines = numbers.iter().map(|(parameter, number)| {
                 let name = parameter.name.rsplit('.').next().unwrap_or(parameter.name);
-                format!("{name} {}", stated(parameter, setup, system))
-            };
-            alternatives
-                .given_in(setup)
-                .iter()
-                .map(line)
-                .collect::<Vec<_>>()
-                .join("\n")
+                format!("{name} {}", stated(parameter, number))
+            });
+            lines.collect::<Vec<_>>().join("\n")
         }
+        // only a parameter has a single number
+        (_, CauseValue::Number(_)) => String::new(),
     }
-}
-
-fn stated(parameter: &Parameter, setup: &Setup<f64>, system: System) -> String {
-    setup.value(parameter).map_or_else(
-        || UNSET.into(),
-        |value| shown::stated(parameter, value, system),
-    )
 }

@@ -4,7 +4,8 @@ use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::{LARGE_STEPS, changed, close, random_setups};
 use crate::parallel::in_parallel;
 use longdrive::parameters::Method;
-use longdrive::study::{Comparison, Difference, Shares};
+use longdrive::report::JsonNumber;
+use longdrive::study::{CauseValue, Comparison, Difference, Shares};
 use longdrive::{Drive, Outcome, Setup};
 
 fn difference(a: &Setup<f64>, b: &Setup<f64>, of: Outcome) -> Difference {
@@ -325,16 +326,31 @@ fn differences_of_flights_with_one_launch_condition_changed_agree_with_its_share
             .iter()
             .map(|share| share.amount.abs())
             .fold(0.0, f64::max);
+        let number = |value: &CauseValue| match value {
+            CauseValue::Number(JsonNumber(number)) => *number,
+            value => panic!("{value:?}"),
+        };
+        // every launch condition differs, so the shares have the whole launches
+        let ends = [0, 1].map(|side| {
+            let mut setup = [a, b][side];
+            for share in &split.shares {
+                let parameter = a.parameter(share.cause.name()).unwrap();
+                setup
+                    .set_value(parameter, number(&share.values[side]))
+                    .unwrap();
+            }
+            setup
+        });
         for name in names {
             let parameter = a.parameter(name).unwrap();
             // the change of the value if only this parameter changes: from a to b, and from b to a.
             // Half of the difference of the two changes is the share, to third order
             let flown = [(0, 1), (1, 0)].map(|(here, there)| {
-                let mut setup = split.setups[here];
+                let mut setup = ends[here];
                 setup
-                    .set_value(parameter, split.setups[there].value(parameter))
+                    .set_value(parameter, ends[there].value(parameter))
                     .unwrap();
-                value(&setup) - value(&split.setups[here])
+                value(&setup) - value(&ends[here])
             });
             close(
                 share(&split, name),

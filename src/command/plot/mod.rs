@@ -7,7 +7,7 @@ pub use args::Args;
 
 use crate::atmosphere::AirState;
 use crate::command::args::SearchArgs;
-use crate::command::compare::{loft_advice, warnings};
+use crate::command::compare::origin;
 use crate::command::host::Progress;
 use crate::command::names::{outcomes, sigmas};
 use crate::command::output::{Answer, bar, note, spinner, system, warn, with_bar};
@@ -20,7 +20,6 @@ use crate::command::verify::note_missing_outcomes;
 use crate::optimize::Observer;
 use crate::parameters::{Law, Parameter};
 use crate::repeated::first_repeated;
-use crate::report::SetupOrigin;
 use crate::report::figures::{
     ChartFigures, OnChart, OnMap, Over, View, chart_figures, difference_figure, laws_figure,
     map_figure, tornado_figure, trajectory_figure, vcurve_figure,
@@ -287,18 +286,14 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
 
 fn difference(args: &PlotCompare) -> Result<Answer> {
     let requests = args.pair.requests()?;
-    let origin = SetupOrigin {
-        advice: loft_advice(&requests).unwrap_or_default(),
-        ..SetupOrigin::default()
-    };
     let target = PlotDestination::new(requests.iter().flat_map(Request::inputs), &args.drawing)?
-        .about(origin);
+        .about(origin(&requests));
     let of = Outcome::named(&args.of)?;
     let comparison = args.pair.comparison(&requests)?;
     if !comparison.differs() {
         return Err(target.refused("drives a and b are equal, so there is nothing to draw"));
     }
-    let warnings = warnings(&comparison, &[of]);
+    let warnings = comparison.warnings(&[of]);
     let figure = difference_figure(&comparison.of(of)?, system());
     target.write(args.pair.setup_args.json, &figure, warnings)
 }

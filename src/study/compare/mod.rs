@@ -10,13 +10,11 @@ use crate::drive::{Drive, Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::parameters::{LaunchConditions, Setup};
 use crate::statistics::largest_magnitude;
-use crate::units::DisplayUnit;
+use crate::units::{DisplayUnit, Message};
 use path::{SetupPath, value};
 use split::DifferenceSplit;
 use std::f64::consts::FRAC_PI_2;
 
-/// Names of the two drives in messages.
-const NAMES: [&str; 2] = ["drive a", "drive b"];
 const BETWEEN: &str = "a drive between a and b";
 
 /// Threshold for relative differences of launch conditions. Smaller differences count as rounding.
@@ -60,6 +58,9 @@ impl Difference {
 }
 
 impl Comparison {
+    /// Names of the two drives in messages.
+    pub const NAMES: [&str; 2] = ["drive a", "drive b"];
+
     /// Compares two drives. Both drives use the method of higher order, the shorter step and the
     /// longer time limit of the two setups.
     ///
@@ -81,7 +82,7 @@ impl Comparison {
             let flown = setups[side]
                 .validate()
                 .and_then(|()| Drive::new(&setups[side]));
-            flown.map_err(|error| error.of_drive(NAMES[side]))
+            flown.map_err(|error| error.of_drive(Self::NAMES[side]))
         };
         let drives = [drive(0)?, drive(1)?];
         let launches = [0, 1].map(|side| (&setups[side], &drives[side]));
@@ -109,6 +110,18 @@ impl Comparison {
     /// computation do not count.
     pub fn differs(&self) -> bool {
         !self.path.causes().is_empty()
+    }
+
+    /// The warnings of both drives about these outcomes. Each begins with the name of its drive.
+    pub fn warnings(&self, of: &[Outcome]) -> Vec<Message> {
+        let of_drive = |side: usize| {
+            let name = Self::NAMES[side];
+            let warnings = self.drives[side].warnings_about(&self.setups[side], of);
+            warnings
+                .into_iter()
+                .map(move |warning| Message::from(format!("{name}: ")).message(warning))
+        };
+        of_drive(0).chain(of_drive(1)).collect()
     }
 
     /// Difference of an outcome, with the share of each cause. The share of a parameter p is ∫
@@ -167,7 +180,7 @@ impl Comparison {
         (by_parameter, by_launch): &mut (DifferenceSplit<'_>, Option<DifferenceSplit<'_>>),
     ) -> Result<Difference> {
         let at = |side: usize| {
-            value(&self.setups[side], of).map_err(|error| error.of_drive(NAMES[side]))
+            value(&self.setups[side], of).map_err(|error| error.of_drive(Self::NAMES[side]))
         };
         let values = [at(0)?, at(1)?];
         let unit = DisplayUnit::from(of).size();

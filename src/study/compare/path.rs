@@ -45,32 +45,24 @@ impl Cause {
         !matches!(self, Self::Continuous(_))
     }
 
-    /// The name of the cause's value in a setup. It is the law (or the file of the user's table),
-    /// the golfer, the point of the head, or `given` or `struck by a club` for the launch. `None`
-    /// for a cause whose value is a number or several numbers.
-    pub fn choice_in(self, setup: &Setup<f64>) -> Option<&'static str> {
-        match self {
-            Self::Golfer | Self::SpeedOf => setup.choice(self.name()),
-            Self::Law => setup.choice(TABLE).or(setup.choice(LAW)),
-            Self::Launch if setup.launch.is_given() => Some("given"),
-            Self::Launch => Some("struck by a club"),
-            Self::Continuous(_) | Self::Discrete(_) | Self::Alternatives(_) => None,
-        }
-    }
-
     /// The value of the cause in a setup.
     fn value_in(self, setup: &Setup<f64>) -> CauseValue {
         match self {
             Self::Continuous(parameter) | Self::Discrete(parameter) => {
                 CauseValue::Number(setup.value(parameter).into())
             }
-            Self::Law | Self::Golfer | Self::SpeedOf | Self::Launch => {
-                CauseValue::Choice(self.choice_in(setup).unwrap_or_default())
+            Self::Golfer | Self::SpeedOf => {
+                CauseValue::Choice(setup.choice(self.name()).unwrap_or_default())
             }
+            Self::Law => {
+                let law = setup.choice(TABLE).or(setup.choice(LAW));
+                CauseValue::Choice(law.unwrap_or_default())
+            }
+            Self::Launch if setup.launch.is_given() => CauseValue::Choice("given"),
+            Self::Launch => CauseValue::Choice("struck by a club"),
             Self::Alternatives(alternatives) => {
                 let given = alternatives.given_in(setup).into_iter();
-                let numbers =
-                    given.map(|parameter| (parameter.name, setup.value(parameter).into()));
+                let numbers = given.map(|parameter| (parameter, setup.value(parameter).into()));
                 CauseValue::Numbers(numbers.collect())
             }
         }
@@ -111,7 +103,8 @@ pub struct Share {
 pub enum CauseValue {
     /// A number in SI, or radians.
     Number(JsonNumber),
-    /// The name of a choice.
+    /// The name of a choice: the law (or the file of the user's table), the golfer, the point of
+    /// the head, or `given` or `struck by a club` for the launch.
     Choice(&'static str),
     /// The stated numbers of a quantity that may be stated in several ways.
     #[serde(serialize_with = "by_name")]
@@ -120,7 +113,7 @@ pub enum CauseValue {
             test,
             schemars(with = "std::collections::BTreeMap<String, JsonNumber>")
         )]
-        Vec<(&'static str, JsonNumber)>,
+        Vec<(&'static Parameter, JsonNumber)>,
     ),
 }
 
@@ -129,9 +122,6 @@ pub enum CauseValue {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[cfg_attr(test, schemars(rename = "SharesReport"))]
 pub struct Shares {
-    /// The setups at the ends of the path.
-    #[serde(skip)]
-    pub setups: [Setup<f64>; 2],
     /// The share of each cause, in the order of the parameters. The shares of causes that change at
     /// once, such as another law, come last.
     pub shares: Vec<Share>,

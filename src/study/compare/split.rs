@@ -60,7 +60,6 @@ impl<'a> DifferenceSplit<'a> {
         shares.extend(self.path.halfway(of)?);
         let sum: f64 = shares.iter().map(|share| share.amount).sum();
         Ok(Shares {
-            setups: self.path.ends,
             shares,
             remainder: amount - sum,
             error: error + OF_SHARES * size,
