@@ -3,7 +3,6 @@ use crate::batch::{Batch, Points};
 use crate::command::names::{outcomes, variables};
 use crate::command::output::note_each;
 use crate::command::request::Request;
-use crate::integration::Integration;
 use crate::table::sweep_points;
 use crate::{Error, Result};
 
@@ -36,20 +35,15 @@ impl SweepRequest {
         let ranges = points.ranges();
         request.warn_of_ranges(&setup, &ranges);
         request.warn_of_idle_in(&setup, &ranges);
-        let Integration {
-            setup,
-            largest_defect,
-            ..
-        } = request.integration(&setup, &ranges, &of)?;
+        let integration = request.integration(&setup, &ranges, &of)?;
         let swept = points.parameters().iter().copied();
         let mut wrt: Vec<_> = swept.filter(|_| args.gradient).collect();
-        for parameter in variables(&setup, &args.wrt, &of)? {
+        for parameter in variables(&integration.setup, &args.wrt, &of)? {
             if !wrt.contains(&parameter) {
                 wrt.push(parameter);
             }
         }
-        let mut batch = Batch::new(&setup, points.parameters(), &of, &wrt)?
-            .with_largest_defect(largest_defect)?;
+        let mut batch = integration.batch(points.parameters(), &of, &wrt)?;
         if let Some(instructions) = args.instructions {
             batch = batch.with_level(instructions)?;
         }

@@ -156,16 +156,7 @@ impl PointRows for CsvRows {
 
     fn rewind(&mut self) -> Result<()> {
         // reopen: a decoded text is not seekable
-        let text = Text::of_file(&self.path)?;
-        let (table, head) = TextTable::open(text, &self.setup, &TableOptions::POINTS)?;
-        self.section = CsvSection::new(
-            &table.name,
-            &head,
-            &self.columns.parameters,
-            &self.columns.at,
-        )?;
-        (self.table, self.row, self.no_shots) = (table, 0, NonShotRows::default());
-        self.section_notes.clear();
+        *self = Self::open(&self.setup, &self.path)?;
         Ok(())
     }
 

@@ -53,7 +53,6 @@ impl<R: PointRows> TablePoints<R> {
         let (mut count, mut fingerprint) = (0, Fingerprint::new());
         let (mut values, mut numbers) = (vec![], vec![]);
         let (mut listed, mut others) = (vec![], 0);
-        rows.rewind()?;
         loop {
             match rows.read(CHUNK, &mut values, &mut numbers)? {
                 0 => break,
