@@ -232,7 +232,7 @@ commands! {
     Sweep(sweep):
         sweep::SweepSummary,
         #[cfg(feature = "parquet")] sweep::parts::WrittenPart,
-        #[cfg(feature = "parquet")] sweep::parts::CheckedParts;
+        #[cfg(feature = "parquet")] crate::parts::Checked;
     /// Fly the shots of a launch monitor.
     ///
     /// Reads a CSV export or messages of GSPro Open Connect, and compares predicted with measured

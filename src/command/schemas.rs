@@ -8,7 +8,9 @@ use super::picture::PlotFile;
 use super::report::ReportFiles;
 use super::sweep::SweepSummary;
 #[cfg(feature = "parquet")]
-use super::sweep::parts::{CheckedParts, WrittenPart};
+use super::sweep::parts::WrittenPart;
+#[cfg(feature = "parquet")]
+use crate::parts::Checked;
 use crate::report::{Empty, Reply, Report};
 use crate::study::Optimum;
 use schemars::generate::{Contract, SchemaGenerator, SchemaSettings};
@@ -52,7 +54,7 @@ bodies! {
     #[cfg(feature = "parquet")]
     WrittenPart: ["done"];
     #[cfg(feature = "parquet")]
-    CheckedParts: ["done", "partial"];
+    Checked: ["done", "partial"];
 }
 
 fn generator() -> SchemaGenerator {

@@ -44,7 +44,10 @@ pub struct Fault {
 /// Result of the check of a folder of parts.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "CheckedParts"))]
 pub struct Checked {
+    /// The folder.
+    pub folder: String,
     /// The definition of the sweep, which each file contains under the key `longdrive`.
     #[serde(rename = "question")]
     pub definition: SweepDefinition,
@@ -163,6 +166,7 @@ pub fn check(folder: &Path, wanted: Option<&SweepDefinition>, contents: bool) ->
     };
     let parts = valid_parts(&definition, found, &mut faults);
     let mut checked = Checked {
+        folder: folder.display().to_string(),
         definition,
         present: 0,
         missing: vec![],
@@ -332,12 +336,8 @@ pub fn merge(manifests: &[Manifest]) -> Result<Summary> {
         }
         by_number.insert(manifest.part.part, manifest);
     }
-    let mut all: Option<Summary> = None;
-    for manifest in by_number.values() {
-        match &mut all {
-            Some(all) => all.merge(&manifest.part.summary),
-            None => all = Some(manifest.part.summary.clone()),
-        }
-    }
-    Ok(all.unwrap_or_default())
+    let mut summaries = by_number.values().map(|manifest| &manifest.part.summary);
+    let mut all = summaries.next().cloned().unwrap_or_default();
+    summaries.for_each(|later| all.merge(later));
+    Ok(all)
 }

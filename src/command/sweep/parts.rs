@@ -31,16 +31,6 @@ pub struct WrittenPart {
     remarks: Vec<Message>,
 }
 
-/// A folder of parts, as JSON.
-#[derive(Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct CheckedParts {
-    /// The folder.
-    folder: String,
-    #[serde(flatten)]
-    checked: Checked,
-}
-
 /// Writes a part.
 pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
     let work =
@@ -174,11 +164,7 @@ pub fn check(args: &Args, folder: &Path) -> Result<Answer> {
                 message: Some(lines.join("; ")),
             },
         };
-        let body = CheckedParts {
-            folder: folder.display().to_string(),
-            checked,
-        };
-        let reply = Reply::done("sweep", warnings(), body).ended(ending);
+        let reply = Reply::done("sweep", warnings(), checked).ended(ending);
         return Ok(Answer::json(&reply).found(is_complete));
     }
     let text = lines.join("\n") + "\n\n" + &text_of(&summary_document(&checked.summary, system()));
