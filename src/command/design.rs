@@ -2,7 +2,7 @@
 
 use crate::command::args::{OptimizeArgs, SwingsArgs};
 use crate::command::output::Answer;
-use crate::command::ranges::{DefaultRanges, kept};
+use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::swings::{SwingsRequest, optimize_and_write, search_over_swings};
 use crate::report::Designed;
@@ -86,9 +86,10 @@ pub fn run(args: &Args) -> Result<Answer> {
     } else {
         vec![]
     };
-    let kept = kept(&optimum.search.vary, || {
-        Ok(DefaultRanges::new(usual_vary(&found.setup)?, &request))
-    })?;
+    let kept = match optimum.search.vary.is_empty() {
+        true => DefaultRanges::new(usual_vary(&found.setup)?, &request).kept(),
+        false => vec![],
+    };
     let origin = request
         .origin_of_search(&design.search.vary)
         .with_held(&kept, &found.setup)

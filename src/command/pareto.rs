@@ -13,9 +13,9 @@ use crate::command::search::{of_a_drive, options};
 use crate::command::swings::{goal, limits, swing_ranges};
 use crate::optimize::{Iteration, Observers};
 use crate::report::figures::pareto_figure;
-use crate::report::{ParetoReport, Report, SetupOrigin, pareto_csv, pareto_setup};
+use crate::report::{ParetoReport, Report, pareto_csv, pareto_setup};
 use crate::study::swings::{Pareto, ParetoSearch, Scenarios, pareto};
-use crate::study::{Constraint, Goal, Sense, Vary};
+use crate::study::{Constraint, Goal, Sense};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
@@ -117,7 +117,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     report.lacks_file = output.is_some() && written.is_none();
     report.file = written;
     let is_whole = report.ending().status == "done";
-    let origin = args.goals.origin(&request, &found.search.vary, &setup)?;
+    let GoalArgs { vary, swings, .. } = &args.goals;
+    let origin = request.origin_with_held(vary, &found.search.vary, &setup, swings)?;
     let answer = Answer::report(&report, &origin, request.is_json);
     Ok(answer.found(is_whole))
 }
@@ -128,7 +129,8 @@ pub fn draw(setup_args: &SetupArgs, args: &GoalArgs, drawing: &PictureArgs) -> R
     let inputs = request.inputs().chain(args.swings.inputs());
     let target = PlotDestination::new(inputs, drawing)?;
     let (setup, search) = args.search(&request)?;
-    let target = target.about(args.origin(&request, &search.vary, &setup)?);
+    let origin = request.origin_with_held(&args.vary, &search.vary, &setup, &args.swings)?;
+    let target = target.about(origin);
     let work = interrupt::enable(POINTS_SO_FAR);
     let found = follow(&setup, search, &work.stop)?;
     let warnings = [setup.warnings(), found.warnings(&work.stop)].concat();
@@ -226,11 +228,6 @@ impl GoalArgs {
         request.note_starts(&setup, &search.vary);
         let ranges = swing_ranges(&search.vary, &search.scenarios);
         Ok((request.for_many(setup, &ranges)?, search))
-    }
-
-    /// The description of the setup for the answer. `vary` are the ranges of the search.
-    fn origin(&self, request: &Request, vary: &[Vary], setup: &Setup<f64>) -> Result<SetupOrigin> {
-        request.origin_with_held(&self.vary, vary, setup, &self.swings)
     }
 
     /// The two objectives, parsed by `read`.

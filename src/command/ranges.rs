@@ -22,21 +22,6 @@ pub fn varied(
     }
 }
 
-/// The parameters of the default ranges that a search does not vary, because the request states
-/// them. Empty with `--vary`. `usual` gives the default ranges.
-///
-/// # Errors
-/// The errors of `usual`.
-pub fn kept(
-    given: &[String],
-    usual: impl FnOnce() -> Result<DefaultRanges>,
-) -> Result<Vec<&'static Parameter>> {
-    match given {
-        [] => Ok(usual()?.kept()),
-        _ => Ok(vec![]),
-    }
-}
-
 impl Request {
     /// The description of the setup for the first lines of the answer of a search over swings or
     /// one drive. Its field `held` has the parameters of the default ranges that the search does
@@ -52,10 +37,11 @@ impl Request {
         setup: &Setup<f64>,
         swings: &SwingsArgs,
     ) -> Result<SetupOrigin> {
-        let kept = kept(given, || match swings.is_given() {
-            true => DefaultRanges::loft(self, setup),
-            false => DefaultRanges::longest_drive(self, setup),
-        })?;
+        // by default, a search over swings varies the loft, and is refused if the request states it
+        let kept = match given.is_empty() && !swings.is_given() {
+            true => DefaultRanges::longest_drive(self, setup)?.kept(),
+            false => vec![],
+        };
         let origin = self.origin_of_search(vary).with_held(&kept, setup);
         Ok(origin.with_stated(&swings.end_of_title()))
     }

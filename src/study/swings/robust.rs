@@ -391,17 +391,17 @@ fn minimax(
         .step_by(1 + search.subject_to.len());
     let multipliers: Vec<f64> = of_losses.map(|at| at.multiplier.max(0.0)).collect();
     let design = solution.x[..search.vary.len()].to_vec();
-    let goals = losses.goals(&design)?;
-    let of_design = losses.losses(&goals);
     let setup = losses.problems[0].setup_at(&design)?;
     let mut results = vec![];
     for (k, (model, best)) in models.into_iter().enumerate() {
+        // also after an interrupt
+        let goals = losses.problems[k].values_uninterrupted(&design)?;
         results.push(ModelResult {
             model,
             best,
             losses_of_bests: matrix[k].clone(),
-            goals: goals[k].clone(),
-            loss: of_design[k],
+            loss: losses.loss(k, &goals),
+            goals,
             multiplier: multipliers.get(k).copied().unwrap_or_default(),
             loss_as_set_up: as_set_up[k],
         });
@@ -565,19 +565,6 @@ impl<'a> Losses<'a> {
         let spread = spread.iter().map(Vec::as_slice);
         let all = designs.iter().copied().chain([&mean[..]]).chain(spread);
         Ok(all.filter_map(start).collect())
-    }
-
-    /// The values of each model's goals at a design. They are computed even after an interrupt.
-    fn goals(&self, design: &[f64]) -> Result<Vec<Vec<f64>>> {
-        let problems = self.problems.iter();
-        problems
-            .map(|problem| problem.values_uninterrupted(design))
-            .collect()
-    }
-
-    fn losses(&self, goals: &[Vec<f64>]) -> Vec<f64> {
-        let all = goals.iter().enumerate();
-        all.map(|(model, goals)| self.loss(model, goals)).collect()
     }
 
     fn domain(&self) -> Result<Domain> {
