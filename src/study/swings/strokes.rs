@@ -81,15 +81,25 @@ impl Strokes {
         name.io(source.read_to_string(&mut text))?;
         let refused = |fault: TableFault| name.refused(fault.place, fault.reason);
         let mut table = NumberTable::new(&text, "distance [yd]").map_err(refused)?;
-        let columns = StrokesColumns::of(&table.heads)
-            .map_err(|reason| refused(TableFault::of_file(reason)))?;
+        let of_file = |reason: String| refused(TableFault::of_file(reason));
+        let distances = column(&table.heads, "distance").map_err(of_file)?;
+        let strokes = column(&table.heads, "strokes").map_err(of_file)?;
+        let head = table.heads[distances].to_owned();
+        let written = head
+            .split_once('[')
+            .and_then(|(_, rest)| rest.strip_suffix(']'));
+        let unit = written.unwrap_or_default().trim();
+        let Some(unit_size) = Quantity::LENGTH.size_of(unit) else {
+            let reason = format!("the column head '{head}' names no unit of length; {COLUMNS}");
+            return Err(of_file(reason));
+        };
         let mut rows = vec![];
         while let Some(row) = table.next_row().map_err(refused)? {
-            let distance = table.number(&row, columns.distance).map_err(refused)?;
-            let strokes = table.number(&row, columns.strokes).map_err(refused)?;
-            rows.push((distance * columns.unit_size, strokes));
+            let distance = table.number(&row, distances).map_err(refused)?;
+            let strokes = table.number(&row, strokes).map_err(refused)?;
+            rows.push((distance * unit_size, strokes));
         }
-        Self::new(&rows, &columns.unit, runs)
+        Self::new(&rows, unit, runs)
     }
 
     pub(in crate::study) fn reaches(&self, distance: f64) -> bool {
@@ -163,54 +173,24 @@ impl Strokes {
     }
 }
 
-struct StrokesColumns {
-    /// Index of the column of distances.
-    distance: usize,
-    /// Unit of the column of distances.
-    unit: String,
-    /// Size of `unit`, m.
-    unit_size: f64,
-    /// Index of the column of strokes.
-    strokes: usize,
-}
+/// Columns that a table of strokes must have, for messages.
+const COLUMNS: &str = "the table of strokes has the columns 'distance [yd]' (or another unit of \
+                       length) and 'strokes'";
 
-impl StrokesColumns {
-    /// The columns by their heads.
-    ///
-    /// # Errors
-    /// The reason: a column is missing or repeated, or the distance has no unit of length.
-    fn of(heads: &StringRecord) -> std::result::Result<Self, String> {
-        const HOW: &str = "the table of strokes has the columns 'distance [yd]' (or another unit \
-                           of length) and 'strokes'";
-        let place = |wanted: &str| {
-            let name = |head: &str| head.split('[').next().map(str::trim) == Some(wanted);
-            let places: Vec<usize> = (0..heads.len()).filter(|at| name(&heads[*at])).collect();
-            match places[..] {
-                [at] => Ok(at),
-                [] => {
-                    let heads: Vec<&str> = heads.iter().collect();
-                    Err(format!("its columns are {}; {HOW}", heads.join(", ")))
-                }
-                _ => Err(format!("the column '{wanted}' is there twice; keep one")),
-            }
-        };
-        let (distance, strokes) = (place("distance")?, place("strokes")?);
-        let head = &heads[distance];
-        let written = head
-            .split_once('[')
-            .and_then(|(_, rest)| rest.strip_suffix(']'));
-        let unit = written.unwrap_or_default().trim();
-        let Some(unit_size) = Quantity::LENGTH.size_of(unit) else {
-            return Err(format!(
-                "the column head '{head}' names no unit of length; {HOW}"
-            ));
-        };
-        Ok(Self {
-            distance,
-            unit: unit.into(),
-            unit_size,
-            strokes,
-        })
+/// Index of the column with a name; its head may also have a unit.
+///
+/// # Errors
+/// The reason: the column is missing or repeated.
+fn column(heads: &StringRecord, wanted: &str) -> std::result::Result<usize, String> {
+    let name = |head: &str| head.split('[').next().map(str::trim) == Some(wanted);
+    let places: Vec<usize> = (0..heads.len()).filter(|at| name(&heads[*at])).collect();
+    match places[..] {
+        [at] => Ok(at),
+        [] => {
+            let heads: Vec<&str> = heads.iter().collect();
+            Err(format!("its columns are {}; {COLUMNS}", heads.join(", ")))
+        }
+        _ => Err(format!("the column '{wanted}' is there twice; keep one")),
     }
 }
 
