@@ -35,15 +35,27 @@ pub fn check(
         },
         (None, None) => return Ok(()),
     };
-    let rows = points.rows() as f64;
-    let Some(row) = RowCost::measure(args, batch, points, formatter)? else {
+    // try rows in the middle of the sweep
+    points.seek(points.rows() / 2)?;
+    let mut values = vec![];
+    let tried = points.read(TRIED, &mut values)?;
+    if tried == 0 {
         return Ok(());
+    }
+    let begun = Instant::now();
+    let content = formatter.rows(batch.evaluate(0, values));
+    let seconds_of_row = begun.elapsed().as_secs_f64() / (tried * threads(args)) as f64;
+    let bytes_of_row = match content {
+        FormattedRows::Text { bytes, .. } => bytes.len() as f64 / tried as f64,
+        #[cfg(feature = "parquet")]
+        FormattedRows::Block(_) => bytes_in_parquet(args, batch, points),
     };
-    let bytes = row.bytes * rows;
+    let rows = points.rows() as f64;
+    let bytes = bytes_of_row * rows;
     if bytes <= most {
         return Ok(());
     }
-    let time = duration(row.seconds * rows);
+    let time = duration(seconds_of_row * rows);
     Err(Error::TooLarge {
         rows: points.rows().to_string(),
         size: format!("{} and about {time}", size(bytes)),
@@ -54,43 +66,12 @@ pub fn check(
     })
 }
 
-/// The cost of a row.
-struct RowCost {
-    /// Size, bytes.
-    bytes: f64,
-    /// Time, s, if all threads of the sweep compute rows.
-    seconds: f64,
-}
-
-impl RowCost {
-    /// Measures rows in the middle of the sweep; `None` if there are no rows.
-    fn measure(
-        args: &Args,
-        batch: &Batch,
-        points: &mut dyn Points,
-        formatter: &RowFormatter,
-    ) -> Result<Option<Self>> {
-        points.seek(points.rows() / 2)?;
-        let mut values = vec![];
-        let tried = points.read(TRIED, &mut values)?;
-        if tried == 0 {
-            return Ok(None);
-        }
-        let begun = Instant::now();
-        let content = formatter.rows(batch.evaluate(0, values));
-        let elapsed = begun.elapsed().as_secs_f64();
-        let processors = || std::thread::available_parallelism().map(usize::from);
-        let threads = match args.threads {
-            0 => processors().unwrap_or(1),
-            threads => threads.min(processors().unwrap_or(threads)),
-        };
-        let seconds = elapsed / (tried * threads) as f64;
-        let bytes = match content {
-            FormattedRows::Text { bytes, .. } => bytes.len() as f64 / tried as f64,
-            #[cfg(feature = "parquet")]
-            FormattedRows::Block(_) => bytes_in_parquet(args, batch, points),
-        };
-        Ok(Some(Self { bytes, seconds }))
+/// The number of threads that compute rows at the same time.
+fn threads(args: &Args) -> usize {
+    let processors = || std::thread::available_parallelism().map(usize::from);
+    match args.threads {
+        0 => processors().unwrap_or(1),
+        threads => threads.min(processors().unwrap_or(threads)),
     }
 }
 
