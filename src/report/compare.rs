@@ -276,8 +276,8 @@ fn share_remarks(without: &[&Share], with: &[&Share]) -> Vec<String> {
         let causes = names(without.iter().map(|share| share.cause));
         remarks.push(format!("without a share: {causes}"));
     }
-    let causes = with.iter().map(|share| share.cause);
-    let at_once = names(causes.filter(|cause| cause.is_discrete()));
+    let at_once = with.iter().filter(|share| share.at_once);
+    let at_once = names(at_once.map(|share| share.cause));
     if !at_once.is_empty() {
         remarks.push(format!(
             "changed in one step, halfway between a and b, since there are no values between: \

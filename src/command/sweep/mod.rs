@@ -214,7 +214,7 @@ fn stopped(summary: &SweepSummary, output: &SweepOutput<'_>) -> String {
     match output {
         SweepOutput::Resumable(file) => format!(
             "stopped: {drives}; the rows so far are in {}; {} continues after {}",
-            file.part().display(),
+            summary.file,
             file.resuming_command(),
             counted(file.recorded_rows, "row")
         ),

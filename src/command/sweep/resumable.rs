@@ -278,11 +278,6 @@ impl<'a> ResumableFile<'a> {
         Ok(())
     }
 
-    /// The path of the incomplete file.
-    pub fn part(&self) -> PathBuf {
-        part_of(&self.path)
-    }
-
     /// The command that continues this sweep.
     pub fn resuming_command(&self) -> &'static str {
         if self.journal.header.overwrite {
@@ -294,7 +289,7 @@ impl<'a> ResumableFile<'a> {
 
     fn failed(&self, error: &io::Error) -> Error {
         let rows = counted(self.rows(), "complete row");
-        let part = self.part();
+        let part = part_of(&self.path);
         let (what, remedy) = match error.kind() {
             ErrorKind::AlreadyExists => (
                 "it was made by another program while the sweep ran".into(),

@@ -40,11 +40,6 @@ impl Cause {
         }
     }
 
-    /// True for a discrete change.
-    pub fn is_discrete(self) -> bool {
-        !matches!(self, Self::Continuous(_))
-    }
-
     /// The value of the cause in a setup.
     fn value_in(self, setup: &Setup<f64>) -> CauseValue {
         match self {
@@ -209,7 +204,7 @@ impl SetupPath {
             cause,
             values: self.ends.each_ref().map(|setup| cause.value_in(setup)),
             amount,
-            at_once: cause.is_discrete(),
+            at_once: !matches!(cause, Cause::Continuous(_)),
         }
     }
 
