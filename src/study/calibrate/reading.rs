@@ -99,32 +99,8 @@ impl ReadRow {
     }
 }
 
-/// Values of a row.
-#[derive(Clone, Copy)]
-pub(super) enum Values<'a> {
-    /// The cells of a text.
-    Cells(&'a [&'a str]),
-    /// Numbers in SI.
-    Numbers(&'a [Option<f64>]),
-}
-
-impl<'a> Values<'a> {
-    /// The text of column `at`; empty for numbers.
-    fn text(self, at: usize) -> &'a str {
-        match self {
-            Self::Cells(cells) => cells.get(at).copied().unwrap_or_default(),
-            Self::Numbers(_) => "",
-        }
-    }
-
-    /// The value of column `at`, SI; `None` for an empty cell.
-    fn value(self, at: usize, column: &Column) -> Result<Option<f64>, String> {
-        match self {
-            Self::Cells(_) => column.value(self.text(at)),
-            Self::Numbers(numbers) => Ok(numbers.get(at).copied().flatten()),
-        }
-    }
-}
+/// The value of a cell, SI: `None` for an empty cell, or the reason why the cell cannot be read.
+type CellValue = Result<Option<f64>, String>;
 
 /// Error in a row.
 pub(super) struct RowError {
@@ -298,12 +274,26 @@ impl Reading {
         }
     }
 
-    /// Values of `shot`, in the order of the columns.
-    pub fn numbers(
+    /// Reads the shot of a row of text.
+    pub fn shot_of_cells(&self, row: usize, cells: &[&str]) -> Result<ReadRow, RowError> {
+        let value = |(column, cell): (&Column, &&str)| match column.quantity() {
+            None => Ok(None),
+            Some(_) if column.is_stated_air() => column.stated_air(cell).map(Some),
+            Some(_) => column.value(cell),
+        };
+        let values: Vec<CellValue> = self.columns.iter().zip(cells).map(value).collect();
+        let stationary = self.column(Content::Stationary);
+        let stationary = stationary.map_or("", |(at, _)| cells[at]);
+        self.shot(row, &values, stationary)
+    }
+
+    /// Reads the shot of a message, or of a line that `fly` wrote.
+    pub fn shot_of_message(
         &self,
+        row: usize,
         shot: &Shot,
         other_parameters: &[&'static Parameter],
-    ) -> Vec<Option<f64>> {
+    ) -> Result<ReadRow, RowError> {
         let of = |column: &Column| match column.content {
             Content::Outcome(outcome) => shot.value(outcome).map(|value| value.value),
             Content::Input(parameter) => {
@@ -315,7 +305,8 @@ impl Reading {
             }
             _ => None,
         };
-        self.columns.iter().map(of).collect()
+        let values: Vec<CellValue> = self.columns.iter().map(|column| Ok(of(column))).collect();
+        self.shot(row, &values, "")
     }
 
     fn column(&self, content: Content) -> Option<(usize, &Column)> {
@@ -323,20 +314,20 @@ impl Reading {
         columns.find(|(_, column)| column.content == content)
     }
 
-    fn cell(&self, record: Values<'_>, content: Content) -> Result<Option<f64>, RowError> {
+    fn cell(&self, values: &[CellValue], content: Content) -> Result<Option<f64>, RowError> {
         let Some((at, column)) = self.column(content) else {
             return Ok(None);
         };
-        record
-            .value(at, column)
+        values[at]
+            .clone()
             .map_err(|why| RowError::new(Some(column.head.clone()), why))
     }
 
-    fn sigma(&self, record: Values<'_>, content: Content, one: f64) -> Result<f64, RowError> {
+    fn sigma(&self, values: &[CellValue], content: Content, one: f64) -> Result<f64, RowError> {
         let Some((_, column)) = self.column(content) else {
             return Ok(one);
         };
-        let sigma = self.cell(record, content)?;
+        let sigma = self.cell(values, content)?;
         sigma.filter(|sigma| *sigma > 0.0).ok_or_else(|| {
             RowError::new(
                 Some(column.head.clone()),
@@ -357,39 +348,43 @@ impl Reading {
         }
     }
 
-    /// Reads the shot of a row.
-    pub fn shot(&self, row: usize, record: Values<'_>) -> Result<ReadRow, RowError> {
-        let stated = self.stated(record)?;
+    /// Reads the shot of a row. `values` are in the order of the columns; `stationary` are the names
+    /// of stationary parameters.
+    fn shot(
+        &self,
+        row: usize,
+        values: &[CellValue],
+        stationary: &str,
+    ) -> Result<ReadRow, RowError> {
+        let stated = self.stated(values)?;
         self.check_launch(&stated)?;
         let redundant = self.redundant_spins(&stated);
         let is_measured = |of| self.is_measurement(of) && !redundant.contains(&of);
         let is_straight = self.is_launched && is_straight_by_assumption(&stated);
-        let has_no_club = self.club == ClubColumns::Read && self.has_no_club(record);
+        let has_no_club = self.club == ClubColumns::Read && self.has_no_club(values);
         let mut row = ReadRow::new(row);
         row.contradiction = self.contradiction(stated);
         let mut at_shot = self.setup;
         let mut missing: Option<RowError> = None;
         for (at, column) in self.columns.iter().enumerate() {
             match column.content {
-                Content::Input(parameter) if column.is_stated_air() => {
-                    match column.stated_air(record.text(at)) {
-                        Ok(density) => row.shot.inputs.push((parameter, density)),
-                        Err(why) => row.no_air = Some(why),
-                    }
-                }
+                Content::Input(parameter) if column.is_stated_air() => match &values[at] {
+                    Ok(density) => row.shot.inputs.extend(density.map(|air| (parameter, air))),
+                    Err(why) => row.no_air = Some(why.clone()),
+                },
                 // a missing club value is no fault: the prior distribution of the parameter
                 // replaces it
                 Content::Input(parameter)
                     if self.club == ClubColumns::Read && column.is_of_the_strike() =>
                 {
-                    match self.club_value(column, parameter, record, has_no_club) {
+                    match self.club_value(column, parameter, values, has_no_club) {
                         Ok(value) => row.shot.inputs.push((parameter, value)),
                         Err(why) => row.not_stated.push(why),
                     }
                 }
                 Content::Input(parameter) => {
                     let here = || Some(column.head.clone());
-                    let Some(value) = self.cell(record, column.content)? else {
+                    let Some(value) = self.cell(values, column.content)? else {
                         let why = "the cell is empty; every row needs a value in each column that is an input";
                         missing.get_or_insert_with(|| RowError::incomplete(here(), why));
                         continue;
@@ -400,7 +395,7 @@ impl Reading {
                     row.shot.inputs.push((parameter, value));
                 }
                 Content::Outcome(outcome) if is_measured(outcome) => {
-                    self.add_measurement(&mut row, record, column, outcome, is_straight)?;
+                    self.add_measurement(&mut row, values, column, outcome, is_straight)?;
                 }
                 _ => {}
             }
@@ -415,7 +410,7 @@ impl Reading {
         at_shot
             .validate()
             .map_err(|error| RowError::new(None, error.to_string()))?;
-        row.shot.stationary = self.stationary(record, &at_shot)?;
+        row.shot.stationary = self.stationary(values, stationary, &at_shot)?;
         row.checked()
     }
 
@@ -424,13 +419,13 @@ impl Reading {
     fn add_measurement(
         &self,
         row: &mut ReadRow,
-        record: Values<'_>,
+        values: &[CellValue],
         column: &Column,
         outcome: Outcome,
         is_straight: bool,
     ) -> Result<(), RowError> {
         let here = || Some(column.head.clone());
-        let value = match self.cell(record, column.content) {
+        let value = match self.cell(values, column.content) {
             // keep a row of an export although a measured value is unusable, as `fly` does
             Err(wrong) if self.is_export => {
                 row.implausible
@@ -449,7 +444,7 @@ impl Reading {
             ));
         }
         let carry = || {
-            let carry = self.cell(record, Content::Outcome(Outcome::CarryDistance));
+            let carry = self.cell(values, Content::Outcome(Outcome::CarryDistance));
             carry.ok().flatten()
         };
         if let Some(why) = not_compared(outcome, value, carry).filter(|_| self.is_export) {
@@ -472,7 +467,7 @@ impl Reading {
         let assumed = outcome
             .measurement_uncertainty()
             .unwrap_or(column.unit_size());
-        let sigma = self.sigma(record, Content::Sigma(outcome), assumed)?;
+        let sigma = self.sigma(values, Content::Sigma(outcome), assumed)?;
         row.shot.measured.push(Measurement {
             outcome,
             value,
@@ -523,10 +518,10 @@ impl Reading {
     }
 
     /// True if the club values of the row are all 0, which means that the club was not measured.
-    fn has_no_club(&self, record: Values<'_>) -> bool {
+    fn has_no_club(&self, values: &[CellValue]) -> bool {
         let stated = ClubOfShot::NAMES.map(|name| {
             let parameter = self.setup.parameter(name).ok()?;
-            self.cell(record, Content::Input(parameter)).ok().flatten()
+            self.cell(values, Content::Input(parameter)).ok().flatten()
         });
         ClubOfShot::is_unmeasured(stated)
     }
@@ -539,14 +534,14 @@ impl Reading {
         &self,
         column: &Column,
         parameter: &'static Parameter,
-        record: Values<'_>,
+        values: &[CellValue],
         has_no_club: bool,
     ) -> Result<f64, String> {
         let head = &column.head;
         let stated = match has_no_club {
             true => None,
             false => self
-                .cell(record, column.content)
+                .cell(values, column.content)
                 .map_err(|wrong| format!("{head}: {}", wrong.why))?,
         };
         let value = stated.ok_or_else(|| format!("{head}: not stated"))?;
@@ -585,12 +580,12 @@ impl Reading {
     }
 
     /// The launch conditions of a row.
-    fn stated(&self, record: Values<'_>) -> Result<Launch, RowError> {
-        let mut values = [None; CONDITIONS.len()];
-        for (value, outcome) in values.iter_mut().zip(CONDITIONS) {
-            *value = self.cell(record, Content::Outcome(outcome))?;
+    fn stated(&self, values: &[CellValue]) -> Result<Launch, RowError> {
+        let mut stated = [None; CONDITIONS.len()];
+        for (value, outcome) in stated.iter_mut().zip(CONDITIONS) {
+            *value = self.cell(values, Content::Outcome(outcome))?;
         }
-        Ok(values)
+        Ok(stated)
     }
 
     /// Refuses an implausible launch, by the rules of `fly`.
@@ -638,15 +633,13 @@ impl Reading {
 
     fn stationary(
         &self,
-        record: Values<'_>,
+        values: &[CellValue],
+        names: &str,
         at_shot: &Setup<f64>,
     ) -> Result<Vec<Stationary>, RowError> {
-        let Some((at, _)) = self.column(Content::Stationary) else {
-            return Ok(vec![]);
-        };
         let here = || Some("stationary".to_owned());
         let mut all = vec![];
-        for name in record.text(at).split_whitespace() {
+        for name in names.split_whitespace() {
             if self.is_launched {
                 return Err(RowError::new(
                     here(),
@@ -665,7 +658,7 @@ impl Reading {
             }
             all.push(Stationary {
                 parameter,
-                sigma: self.sigma(record, Content::SigmaStationary, one)?,
+                sigma: self.sigma(values, Content::SigmaStationary, one)?,
             });
         }
         Ok(all)

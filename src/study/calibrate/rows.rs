@@ -1,6 +1,6 @@
 //! Collects the rows of a table: shots, and messages about rejected rows.
 
-use super::reading::{ReadRow, Reading, RowError, Values};
+use super::reading::{ReadRow, Reading, RowError};
 use super::shot_table::{MeasuredShot, ShotTable};
 use super::statistics::SigmaOrigin;
 use crate::error::{Error, Result};
@@ -118,7 +118,7 @@ impl ShotRows {
         }
         let row: Vec<&str> = row.iter().map(AsRef::as_ref).collect();
         let shots = self.shots.len();
-        self.add(reading, reading.shot(self.row, Values::Cells(&row)))?;
+        self.add(reading, reading.shot_of_cells(self.row, &row))?;
         let club = reading.club_name.map(|at| row[at].trim());
         let club = club.or(self.title.as_deref());
         if let Some(club) = club.filter(|_| self.shots.len() > shots) {
@@ -147,8 +147,7 @@ impl ShotRows {
             ));
             return;
         }
-        let numbers = reading.numbers(shot, other_parameters);
-        let mut read = reading.shot(self.row, Values::Numbers(&numbers));
+        let mut read = reading.shot_of_message(self.row, shot, other_parameters);
         if let Ok(row) = &mut read {
             let club = shot.club_name.clone().unwrap_or_default();
             *self.clubs.entry(club).or_default() += 1;
