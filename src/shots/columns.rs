@@ -6,8 +6,8 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Golfer, Parameter, Setup};
 use crate::table::{
-    Column, Content, DecimalMark, ShotLabels, TableFormat, TableHead, TextTable, air_of_rows,
-    assume_unit, club_column, columns_remark, ignore_stated_air, is_condition_head,
+    Column, Content, DecimalMark, ShotLabels, TableFormat, TableHead, TableUse, TextTable,
+    air_of_rows, assume_unit, club_column, columns_remark, ignore_stated_air, is_condition_head,
     missing_of_launch, near_known, rest_of_head, split_unit, with_nearest, words,
 };
 use crate::units::Message;
@@ -71,7 +71,7 @@ impl ShotColumns {
         is_air_given: bool,
     ) -> Result<Self> {
         add_totals(setup, &mut head)?;
-        let mut assumed_units = interpret(Some(setup), &mut head);
+        let mut assumed_units = interpret(setup, &mut head, TableUse::Launches);
         if is_air_given {
             ignore_stated_air(&mut head.columns);
         }

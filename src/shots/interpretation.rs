@@ -2,12 +2,16 @@
 
 use crate::drive::Outcome;
 use crate::parameters::Setup;
-use crate::table::{Column, Content, TableHead, assume_unit, weather_column, words};
+use crate::table::{Column, Content, TableHead, TableUse, assume_unit, weather_column, words};
 
 /// Interprets the columns of an export: changes contents and units of the columns in `head`. A
-/// table that is not an export stays unchanged. With a `setup`, a column that states the weather
-/// determines the air of each row. Returns the columns without a unit, each with the assumed unit.
-pub(crate) fn interpret(setup: Option<&Setup<f64>>, head: &mut TableHead) -> Vec<String> {
+/// table that is not an export stays unchanged. If each row may state its own air, a column that
+/// states the weather determines this air. Returns the columns without a unit, each with the assumed unit.
+pub(crate) fn interpret(
+    setup: &Setup<f64>,
+    head: &mut TableHead,
+    table_use: TableUse,
+) -> Vec<String> {
     if !head.format.is_export {
         return vec![];
     }
@@ -21,7 +25,7 @@ pub(crate) fn interpret(setup: Option<&Setup<f64>>, head: &mut TableHead) -> Vec
             column.content = Content::Outcome(Outcome::LateralTotal);
         }
     }
-    if let Some(setup) = setup {
+    if table_use.has_air_of_rows() {
         weather_of_rows(setup, columns, rows);
     }
     columns

@@ -10,7 +10,7 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    Column, Record, RowFilter, SourceName, TableEntry, TableOptions, Text, TextTable, air_replaced,
+    Column, Record, RowFilter, SourceName, TableEntry, TableUse, Text, TextTable, air_replaced,
     remark_from_line,
 };
 use crate::units::Message;
@@ -154,7 +154,7 @@ impl Shots {
                 is_written,
             });
         }
-        let (table, head) = TextTable::open(text, setup, &TableOptions::LAUNCHES)?;
+        let (table, head) = TextTable::open(text, setup, TableUse::Launches)?;
         let columns = Arc::new(ShotColumns::read(setup, head, &table, is_air_given)?);
         let rows = TableRows {
             table,
@@ -298,8 +298,10 @@ impl TableRows {
     /// Begins a section at a line of column heads. A repetition of the current column heads is
     /// skipped.
     fn begin(&mut self, record: &Record) -> Result<()> {
-        let wanted = &TableOptions::LAUNCHES;
-        let Some(head) = self.table.section(record, &self.setup, wanted)? else {
+        let Some(head) = self
+            .table
+            .section(record, &self.setup, TableUse::Launches)?
+        else {
             return Ok(());
         };
         let mut columns = ShotColumns::read(&self.setup, head, &self.table, self.is_air_given)?;

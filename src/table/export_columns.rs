@@ -5,6 +5,7 @@ use super::air::air_replaced;
 use super::column::{Column, Content};
 use super::heads::Meaning;
 use super::launch_monitor::nearest_head;
+use super::table_use::TableUse;
 use crate::drive::Outcome;
 use crate::units::{Message, Quantity};
 
@@ -52,15 +53,6 @@ pub(crate) fn assumed_units_remark(assumed: &[String]) -> Option<Message> {
         )
         .into()
     })
-}
-
-/// Use of the club columns in a table with measured launches.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum ClubColumns {
-    /// Ignored: the ball flies from its measured launch.
-    Ignored,
-    /// Read: the club values help to find the delivery that produced the launch.
-    Read,
 }
 
 /// True if a column holds this outcome.
@@ -181,31 +173,30 @@ pub(crate) const CLUB_LEFT_OUT: &str =
 /// each row. If the launch is measured, also ignores
 ///
 /// - the smash factor,
-/// - columns of the club, if `club` is [`ClubColumns::Ignored`],
-/// - redundant spin columns, if `selects_spin_by_row` is false.
+/// - columns of the club, unless they help to find deliveries,
+/// - redundant spin columns, if no row chooses among its own spin values.
 ///
 /// Returns remarks.
 pub(super) fn ignore_columns(
     columns: &mut [Column],
     of_air: Option<usize>,
-    club: ClubColumns,
-    selects_spin_by_row: bool,
+    table_use: TableUse,
 ) -> Vec<Message> {
     let mut remarks: Vec<Message> = unknown_columns(columns, of_air).into_iter().collect();
     if !has_whole_launch(columns) {
         return remarks;
     }
+    let reads_club = table_use == TableUse::Deliveries;
+    let selects_spin_by_row = table_use.selects_spin_by_row();
     let is_club = |column: &Column| {
-        let is_of_the_strike = club == ClubColumns::Ignored && column.is_of_the_strike();
+        let is_of_the_strike = !reads_club && column.is_of_the_strike();
         is_of_the_strike || column.content == Content::Outcome(Outcome::SmashFactor)
     };
     let ignored = heads_of(&*columns, is_club);
     if !ignored.is_empty() {
-        let reason = match club {
-            ClubColumns::Ignored => CLUB_LEFT_OUT,
-            ClubColumns::Read => {
-                "the smash factor follows from the speeds of ball and club; left out"
-            }
+        let reason = match reads_club {
+            true => "the smash factor follows from the speeds of ball and club; left out",
+            false => CLUB_LEFT_OUT,
         };
         remarks.push(format!("{reason}: {}", ignored.join(", ")).into());
     }

@@ -2,16 +2,15 @@
 
 use super::CONDITIONS;
 use super::air::weather_column;
-use super::column::{Column, Content, LAUNCH, SHOTS_ADVICE, STATUS, TableFormat};
+use super::column::{Column, Content, LAUNCH, STATUS, TableFormat};
 use super::decimal_mark::DecimalMark;
-use super::export_columns::{
-    ClubColumns, assumed_units_remark, given_air, ignore_columns, in_degrees,
-};
+use super::export_columns::{assumed_units_remark, given_air, ignore_columns, in_degrees};
 use super::heads::rest_of_head;
 use super::launch_monitor::{is_export, split_unit, units_row, words};
 use super::maker::maker;
 use super::row_fault::ShotLabels;
 use super::sign_conventions::{turn_spins, turned_remark};
+use super::table_use::TableUse;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::Setup;
@@ -23,53 +22,6 @@ use std::ops::Range;
 pub(crate) const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
 /// Prefixes of the columns that `fly` adds behind [`OF_FLOWN`].
 const FLOWN_PREFIXES: [&str; 2] = ["Predicted ", "Residual "];
-
-/// Options for reading a table.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct TableOptions {
-    /// Use of the club columns in a table with measured launches.
-    pub club: ClubColumns,
-    /// Choice of the spin values if several columns state the spin. True: each row chooses among
-    /// its own values ([`without_redundant_spins`](super::conditions::without_redundant_spins)).
-    /// False: all rows use the same columns.
-    pub selects_spin_by_row: bool,
-    /// True if each row may state its own air. This holds only for shots: a sweep needs a value in
-    /// every row, and a delivery does not depend on the air.
-    pub has_air_of_rows: bool,
-    /// Advice for unknown column heads.
-    pub advice: &'static str,
-}
-
-impl TableOptions {
-    /// Shots to fly from their launch.
-    pub const LAUNCHES: Self = Self {
-        club: ClubColumns::Ignored,
-        selects_spin_by_row: true,
-        has_air_of_rows: true,
-        advice: LAUNCHES_ADVICE,
-    };
-    /// Shots with measurements, for a calibration.
-    pub const MEASUREMENTS: Self = Self {
-        club: ClubColumns::Ignored,
-        selects_spin_by_row: true,
-        has_air_of_rows: true,
-        advice: SHOTS_ADVICE,
-    };
-    /// Measured launches whose deliveries are to be found.
-    pub const DELIVERIES: Self = Self {
-        club: ClubColumns::Read,
-        selects_spin_by_row: true,
-        has_air_of_rows: false,
-        advice: SHOTS_ADVICE,
-    };
-    /// Points of a sweep, or swings.
-    pub const POINTS: Self = Self {
-        club: ClubColumns::Ignored,
-        selects_spin_by_row: false,
-        has_air_of_rows: false,
-        advice: POINTS_ADVICE,
-    };
-}
 
 /// The column heads of a table, interpreted.
 #[derive(Clone, Debug)]
@@ -112,7 +64,7 @@ impl TableHead {
         heads: Vec<String>,
         first: Option<Vec<String>>,
         separator: u8,
-        wanted: &TableOptions,
+        table_use: TableUse,
         file: &str,
     ) -> Result<Self> {
         let is_export = is_export(heads.iter().map(String::as_str));
@@ -129,8 +81,12 @@ impl TableHead {
             let below = units.as_ref().and_then(|units| units.get(at)?.as_deref());
             (at, Column::read(setup, head, below, format))
         };
-        let mut columns = all(heads.iter().enumerate().map(column), wanted.advice, file)?;
-        if !wanted.has_air_of_rows {
+        let mut columns = all(
+            heads.iter().enumerate().map(column),
+            table_use.advice(),
+            file,
+        )?;
+        if !table_use.has_air_of_rows() {
             let of_air = columns.iter_mut().filter(|column| column.is_stated_air());
             of_air.for_each(|column| column.content = Content::Note);
         }
@@ -152,7 +108,7 @@ impl TableHead {
 
     /// Interprets the columns by the first `rows` of the section: finds the decimal mark, the maker
     /// of an export and the signs of its spins, then ignores columns that are not used.
-    pub fn interpret(&mut self, rows: Vec<Vec<String>>, wanted: &TableOptions) {
+    pub fn interpret(&mut self, rows: Vec<Vec<String>>, table_use: TableUse) {
         self.rows = rows;
         self.detect_decimal_mark();
         if self.format.is_export {
@@ -162,9 +118,8 @@ impl TableHead {
             let of_air = weather_column(&self.columns, &self.rows);
             self.remarks = ignore_columns(
                 &mut self.columns,
-                of_air.filter(|_| wanted.has_air_of_rows),
-                wanted.club,
-                wanted.selects_spin_by_row,
+                of_air.filter(|_| table_use.has_air_of_rows()),
+                table_use,
             );
             self.turned = turned_remark(&self.columns, &turned);
         }
@@ -179,7 +134,7 @@ impl TableHead {
     pub fn in_si(setup: &Setup<f64>, names: &[String], file: &str) -> Result<Self> {
         let names_in_order = names.iter().enumerate();
         let columns = names_in_order.map(|(at, name)| (at, Column::in_si(setup, name)));
-        let mut columns = all(columns, POINTS_ADVICE, file)?;
+        let mut columns = all(columns, TableUse::Points.advice(), file)?;
         resolve_sweep_names(&mut columns);
         Ok(Self {
             heads: names.to_vec(),
@@ -324,17 +279,6 @@ pub(crate) fn columns_remark<S: Borrow<str>>(what: &str, names: &[S]) -> Option<
 pub(crate) fn remark_from_line(line: u64, remark: &Message) -> Message {
     Message::from(format!("from line {line} on: ")).message(remark.clone())
 }
-
-/// Advice for tables of points or swings.
-pub(super) const POINTS_ADVICE: &str = "give each a name that is known, or take it out: a column \
-                                        is a parameter, with its unit as in 'swing.speed [mph]', \
-                                        or a result that a sweep has written, which is ignored";
-
-/// Advice for tables of shots to fly.
-pub(super) const LAUNCHES_ADVICE: &str = "name the columns of the launch by known heads, as in \
-                                          'Ball Speed [mph]', 'Launch Angle [deg]', 'Spin Rate \
-                                          [rpm]', and take the others out; the heads must be in \
-                                          one of the first lines";
 
 /// The error for the columns of `file` that cannot be read; `None` if there are none. If several
 /// names are unknown, the message lists them all. Otherwise it reports the first column that cannot

@@ -22,6 +22,7 @@ mod refusal;
 mod row_fault;
 mod row_filter;
 mod sign_conventions;
+mod table_use;
 mod text;
 
 pub(crate) use air::{air_of_rows, air_of_setup, air_replaced, ignore_stated_air, weather_column};
@@ -34,10 +35,10 @@ pub(crate) use decimal_mark::DecimalMark;
 #[cfg(feature = "commands")]
 pub(crate) use export_columns::ASSUMED_UNITS;
 pub(crate) use export_columns::{
-    CLUB_LEFT_OUT, ClubColumns, assume_unit, has_whole_launch, heads_of, missing_launch_remark,
+    CLUB_LEFT_OUT, assume_unit, has_whole_launch, heads_of, missing_launch_remark,
     missing_of_launch, near_known, redundant_spins_remark, with_nearest,
 };
-pub(crate) use head::{OF_FLOWN, TableHead, TableOptions, columns_remark, remark_from_line};
+pub(crate) use head::{OF_FLOWN, TableHead, columns_remark, remark_from_line};
 pub(crate) use heads::{is_condition_head, rest_of_head};
 pub(crate) use launch_monitor::{split_unit, words};
 pub(crate) use plausible::{
@@ -50,6 +51,7 @@ pub use refusal::Refusal;
 pub(crate) use row_fault::{NonShotRows, RowFault, ShotLabels};
 pub use row_filter::RowFilter;
 pub(crate) use row_filter::{club_column, counted_values};
+pub(crate) use table_use::TableUse;
 pub(crate) use text::{SourceName, TableEntry, Text, TextTable};
 
 use crate::drive::Outcome;

@@ -2,11 +2,12 @@
 //! begin sections.
 
 use super::encoding::{Encoding, decoded};
-use super::head::{TableHead, TableOptions};
+use super::head::TableHead;
 use super::launch_monitor::{is_export, is_head, units_row};
 use super::numbers::cell_number;
 use super::records::{Lines, Record, cells, only_cell};
 use super::row_filter::RowFilter;
+use super::table_use::TableUse;
 use crate::csv_dialect::detect_separator;
 use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
@@ -136,11 +137,7 @@ impl TextTable {
     /// # Errors
     /// [`Error::Table`](crate::Error::Table) if the source cannot be read, if the table is empty,
     /// if a quote in the column heads is not closed, or if a column is unknown.
-    pub fn open(
-        text: Text,
-        setup: &Setup<f64>,
-        wanted: &TableOptions,
-    ) -> Result<(Self, TableHead)> {
+    pub fn open(text: Text, setup: &Setup<f64>, table_use: TableUse) -> Result<(Self, TableHead)> {
         let Text {
             name,
             beginning,
@@ -176,7 +173,7 @@ impl TextTable {
         let Some(record) = table.record()? else {
             return Err(table.name.empty());
         };
-        let mut head = table.head(&record, setup, wanted)?;
+        let mut head = table.head(&record, setup, table_use)?;
         table.has_sections = head.format.is_export;
         (table.heads, table.units) = (head.heads.clone(), head.units.clone());
         table.encoding_of_head = table.lines.encoding;
@@ -195,9 +192,9 @@ impl TextTable {
         &mut self,
         record: &Record,
         setup: &Setup<f64>,
-        wanted: &TableOptions,
+        table_use: TableUse,
     ) -> Result<Option<TableHead>> {
-        let head = self.head(record, setup, wanted)?;
+        let head = self.head(record, setup, table_use)?;
         if head.heads == self.heads && head.units == self.units {
             return Ok(None);
         }
@@ -210,7 +207,7 @@ impl TextTable {
         &mut self,
         record: &Record,
         setup: &Setup<f64>,
-        wanted: &TableOptions,
+        table_use: TableUse,
     ) -> Result<TableHead> {
         if let Some(refusal) = record.unclosed() {
             return Err(self.name.refused(String::new(), refusal.reason));
@@ -229,14 +226,14 @@ impl TextTable {
         let below = self.record()?;
         let first = below.as_ref().map(|below| self.cells(below));
         let file = &self.name.0;
-        let mut head = TableHead::read(setup, heads, first, self.separator, wanted, file)?;
+        let mut head = TableHead::read(setup, heads, first, self.separator, table_use, file)?;
         if head.units.is_none()
             && let Some(below) = below
         {
             self.give_back(below);
         }
         let rows = self.rows_ahead(&head);
-        head.interpret(rows, wanted);
+        head.interpret(rows, table_use);
         Ok(head)
     }
 

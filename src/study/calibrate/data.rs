@@ -6,7 +6,7 @@ use super::shot_table::ShotTable;
 use crate::error::Result;
 use crate::parameters::Setup;
 use crate::shots::{Shots, is_json};
-use crate::table::{ClubColumns, RowFilter, SourceName, TableEntry, TableOptions, Text, TextTable};
+use crate::table::{RowFilter, SourceName, TableEntry, TableUse, Text, TextTable};
 use std::io::{Cursor, Read};
 use std::path::Path;
 
@@ -26,7 +26,7 @@ impl ShotTable {
     ) -> Result<Self> {
         let mut text = Text::of_file(path)?;
         text.filter = filter;
-        Self::read_rows(setup, text, ClubColumns::Ignored, is_air_given)
+        Self::read_rows(setup, text, TableUse::Measurements, is_air_given)
     }
 
     /// Reads launches and club columns from a CSV file. A row needs no measurement other than its
@@ -37,7 +37,7 @@ impl ShotTable {
     pub fn open_launches(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
         let mut text = Text::of_file(path)?;
         text.filter = filter;
-        Self::read_rows(setup, text, ClubColumns::Read, false)
+        Self::read_rows(setup, text, TableUse::Deliveries, false)
     }
 
     /// Reads measured shots from CSV text. Also reads messages of GSPro Open Connect, and exports
@@ -55,14 +55,14 @@ impl ShotTable {
         let mut bytes = vec![];
         SourceName(file.into()).io(source.read_to_end(&mut bytes))?;
         let text = Text::open(file, Cursor::new(bytes))?;
-        Self::read_rows(setup, text, ClubColumns::Ignored, false)
+        Self::read_rows(setup, text, TableUse::Measurements, false)
     }
 
-    /// Reads CSV text. With [`ClubColumns::Read`] a row needs no measurement other than its launch.
+    /// Reads CSV text. For deliveries, a row needs no measurement other than its launch.
     fn read_rows(
         setup: &Setup<f64>,
         text: Text,
-        club: ClubColumns,
+        table_use: TableUse,
         is_air_given: bool,
     ) -> Result<Self> {
         let file = text.name.0.clone();
@@ -71,15 +71,11 @@ impl ShotTable {
                 setup,
                 Shots::of_text(setup, text, is_air_given)?,
                 &file,
-                club,
+                table_use,
             );
         }
-        let wanted = match club {
-            ClubColumns::Ignored => TableOptions::MEASUREMENTS,
-            ClubColumns::Read => TableOptions::DELIVERIES,
-        };
-        let (mut table, head) = TextTable::open(text, setup, &wanted)?;
-        let mut reading = Reading::of_head(setup, &table, head, club, is_air_given)?;
+        let (mut table, head) = TextTable::open(text, setup, table_use)?;
+        let mut reading = Reading::of_head(setup, &table, head, table_use, is_air_given)?;
         let is_launched = reading.is_launched;
         let mut rows = ShotRows::new(&file, table.title.clone());
         rows.begin(None, &reading);
@@ -88,10 +84,10 @@ impl ShotTable {
                 TableEntry::Row(record) => rows.take(&reading, &record, table.separator)?,
                 TableEntry::Excluded => rows.skip(),
                 TableEntry::Head(record) => {
-                    let Some(head) = table.section(&record, setup, &wanted)? else {
+                    let Some(head) = table.section(&record, setup, table_use)? else {
                         continue;
                     };
-                    reading = Reading::of_head(setup, &table, head, club, is_air_given)?;
+                    reading = Reading::of_head(setup, &table, head, table_use, is_air_given)?;
                     if reading.is_launched != is_launched {
                         let reason = "launches and deliveries are mixed: the rows of this section \
                                       are of another kind than the rows before it; use a separate \
@@ -112,12 +108,12 @@ impl ShotTable {
         setup: &Setup<f64>,
         shots: Shots,
         file: &str,
-        club: ClubColumns,
+        table_use: TableUse,
     ) -> Result<Self> {
         let other_parameters = shots.other_parameters.clone();
         let remarks = shots.remarks().to_vec();
         let shots = shots.all()?;
-        let mut reading = Reading::of_shots(setup, &shots, &other_parameters, club);
+        let mut reading = Reading::of_shots(setup, &shots, &other_parameters, table_use);
         reading.remarks.extend(remarks);
         let mut rows = ShotRows::new(file, None);
         rows.begin(None, &reading);

@@ -7,8 +7,8 @@ use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Shot, interpret};
 use crate::table::{
-    CLUB_LEFT_OUT, CONDITIONS, ClubColumns, Column, ConditionFault, Content, LAUNCH_PARAMETERS,
-    ShotLabels, StatedConditions as Launch, TableHead, TextTable, club_column, columns_remark,
+    CLUB_LEFT_OUT, CONDITIONS, Column, ConditionFault, Content, LAUNCH_PARAMETERS, ShotLabels,
+    StatedConditions as Launch, TableHead, TableUse, TextTable, club_column, columns_remark,
     conditions, contradiction, has_whole_launch, heads_of, ignore_stated_air, implausible_club,
     implausible_launch, impossible, is_straight_by_assumption, missing_launch_remark, near_known,
     not_compared, outside, redundant_spins_remark, without_redundant_spins,
@@ -33,9 +33,8 @@ pub(super) struct Reading {
     pub is_export: bool,
     /// The columns that say which shot a row is; `None` for a table that is no export.
     pub labels: Option<ShotLabels>,
-    /// [`Read`](ClubColumns::Read) if the deliveries of the launches are to be estimated. The
-    /// launch is then the measurement, and no ball flies.
-    pub club: ClubColumns,
+    /// Measurements, or deliveries: the launch is then the measurement, and no ball flies.
+    pub table_use: TableUse,
     /// Index of the column that names the club of each shot.
     pub club_name: Option<usize>,
 }
@@ -138,12 +137,11 @@ impl Reading {
         setup: &Setup<f64>,
         table: &TextTable,
         mut head: TableHead,
-        club: ClubColumns,
+        table_use: TableUse,
         is_air_given: bool,
     ) -> Read<Self> {
         let refused = |place: String, reason: String| table.name.refused(place, reason);
-        let of_weather = (club == ClubColumns::Ignored).then_some(setup);
-        let assumed_units = interpret(of_weather, &mut head);
+        let assumed_units = interpret(setup, &mut head, table_use);
         if is_air_given {
             ignore_stated_air(&mut head.columns);
         }
@@ -151,13 +149,13 @@ impl Reading {
         let mut remarks = head.column_remarks(&[], &assumed_units);
         if is_export {
             remarks.extend(without_totals(&mut head));
-        } else if club == ClubColumns::Read {
+        } else if table_use == TableUse::Deliveries {
             remarks.extend(redundant_spins_remark(&head.columns));
         }
         remarks.extend(head.ignore_repeated());
         check_columns(&head)
             .map_err(|(at, reason)| refused(format!(", column {}", at + 1), reason))?;
-        if club == ClubColumns::Read {
+        if table_use == TableUse::Deliveries {
             let remark = missing_launch_remark(&head.columns);
             let remark = remark.map_err(|reason| refused(String::new(), reason))?;
             remarks.extend(remark.map(Message::from));
@@ -169,8 +167,9 @@ impl Reading {
         ));
         // with a column of swing, club, strike or impact, the rows are deliveries: the launch is
         // then a measurement, not the start of the flight
-        let is_launched =
-            has_whole_launch(&head.columns) && !head.has_strike() && club == ClubColumns::Ignored;
+        let is_launched = has_whole_launch(&head.columns)
+            && !head.has_strike()
+            && table_use == TableUse::Measurements;
         setup
             .refuse_replaced(&inputs(&head.columns))
             .map_err(|error| refused(String::new(), error.to_string()))?;
@@ -189,7 +188,7 @@ impl Reading {
             is_launched,
             is_export,
             labels: head.labels,
-            club,
+            table_use,
             club_name,
             columns: head.columns,
             remarks,
@@ -200,11 +199,16 @@ impl Reading {
         }
     }
 
+    /// True if the deliveries of the launches are to be estimated.
+    pub fn is_delivery(&self) -> bool {
+        self.table_use == TableUse::Deliveries
+    }
+
     /// Reason why no row of an export can fly: the export has neither launches nor deliveries.
     /// `None` if rows can fly, if the table needs no flight, or if it is not an export.
     fn why_not_flown(&self) -> Option<String> {
         let is_flown = self.is_launched || self.columns.iter().any(Column::is_of_the_strike);
-        if !self.is_export || self.club != ClubColumns::Ignored || is_flown {
+        if !self.is_export || self.is_delivery() || is_flown {
             return None;
         }
         let near = near_known(&self.columns);
@@ -221,7 +225,7 @@ impl Reading {
         setup: &Setup<f64>,
         shots: &[Shot],
         other_parameters: &[&'static Parameter],
-        club: ClubColumns,
+        table_use: TableUse,
     ) -> Self {
         let is_stated = |of: &&Outcome| {
             shots
@@ -244,9 +248,8 @@ impl Reading {
         };
         let of_club = ClubOfShot::NAMES.into_iter().enumerate().filter(is_given);
         let of_club: Vec<&str> = of_club.map(|(_, name)| name).collect();
-        match club {
-            ClubColumns::Ignored => remarks.extend(columns_remark(CLUB_LEFT_OUT, &of_club)),
-            ClubColumns::Read => {
+        match table_use {
+            TableUse::Deliveries => {
                 remarks.extend(redundant_spins_remark(&columns));
                 columns.extend(
                     of_club
@@ -255,19 +258,20 @@ impl Reading {
                         .map(|parameter| Column::of(Content::Input(parameter), parameter.name)),
                 );
             }
+            _ => remarks.extend(columns_remark(CLUB_LEFT_OUT, &of_club)),
         }
         columns.extend(
             other_parameters
                 .iter()
                 .map(|parameter| Column::of(Content::Input(parameter), parameter.name)),
         );
-        let is_launched = club == ClubColumns::Ignored;
+        let is_launched = table_use == TableUse::Measurements;
         Self {
             setup: *setup,
             is_launched,
             is_export: true,
             labels: None,
-            club,
+            table_use,
             club_name: None,
             columns,
             remarks,
@@ -342,9 +346,9 @@ impl Reading {
     ///   row then measures only one of two statements of the spin
     /// - otherwise all outcomes, except the launch conditions from which the balls fly
     fn is_measurement(&self, outcome: Outcome) -> bool {
-        match self.club {
-            ClubColumns::Ignored => !(self.is_launched && CONDITIONS.contains(&outcome)),
-            ClubColumns::Read => outcome.group() == OutcomeGroup::Launch,
+        match self.is_delivery() {
+            true => outcome.group() == OutcomeGroup::Launch,
+            false => !(self.is_launched && CONDITIONS.contains(&outcome)),
         }
     }
 
@@ -361,7 +365,7 @@ impl Reading {
         let redundant = self.redundant_spins(&stated);
         let is_measured = |of| self.is_measurement(of) && !redundant.contains(&of);
         let is_straight = self.is_launched && is_straight_by_assumption(&stated);
-        let has_no_club = self.club == ClubColumns::Read && self.has_no_club(values);
+        let has_no_club = self.is_delivery() && self.has_no_club(values);
         let mut row = ReadRow::new(row);
         row.contradiction = self.contradiction(stated);
         let mut at_shot = self.setup;
@@ -374,9 +378,7 @@ impl Reading {
                 },
                 // a missing club value is no fault: the prior distribution of the parameter
                 // replaces it
-                Content::Input(parameter)
-                    if self.club == ClubColumns::Read && column.is_of_the_strike() =>
-                {
+                Content::Input(parameter) if self.is_delivery() && column.is_of_the_strike() => {
                     match self.club_value(column, parameter, values, has_no_club) {
                         Ok(value) => row.shot.inputs.push((parameter, value)),
                         Err(why) => row.not_stated.push(why),
@@ -496,7 +498,7 @@ impl Reading {
     /// Message if spins of the row that are not used differ from its launch. `None` if the launch is
     /// neither flown nor the only measurement.
     fn contradiction(&self, stated: Launch) -> Option<String> {
-        if !self.is_launched && self.club == ClubColumns::Ignored {
+        if !self.is_launched && !self.is_delivery() {
             return None;
         }
         let launch = self.launch(stated).ok()?;
@@ -506,7 +508,7 @@ impl Reading {
     /// The spins of a row that are not measured, since the row states the spin in another way too.
     /// Empty if the deliveries of the launches are not to be estimated.
     fn redundant_spins(&self, stated: &Launch) -> Vec<Outcome> {
-        if self.club == ClubColumns::Ignored {
+        if !self.is_delivery() {
             return vec![];
         }
         let used = without_redundant_spins(*stated);
@@ -602,7 +604,7 @@ impl Reading {
         }
         // an incomplete launch is a fault only if the delivery of the launch is to be estimated,
         // and if the table has all launch columns
-        let is_whole = self.club == ClubColumns::Read && has_whole_launch(&self.columns);
+        let is_whole = self.is_delivery() && has_whole_launch(&self.columns);
         match self.launch(*stated) {
             Err(wrong) if !wrong.is_incomplete || is_whole => Err(wrong),
             _ => Ok(()),

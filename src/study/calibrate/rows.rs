@@ -7,8 +7,8 @@ use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::shots::Shot;
 use crate::table::{
-    ClubColumns, Content, NonShotRows, Record, RowFault, RowFilter, air_of_rows, air_of_setup,
-    cells, columns_remark, counted_values, remark_from_line,
+    Content, NonShotRows, Record, RowFault, RowFilter, air_of_rows, air_of_setup, cells,
+    columns_remark, counted_values, remark_from_line,
 };
 use crate::units::{Message, counted};
 use std::collections::BTreeMap;
@@ -151,9 +151,9 @@ impl ShotRows {
         if let Ok(row) = &mut read {
             let club = shot.club_name.clone().unwrap_or_default();
             *self.clubs.entry(club).or_default() += 1;
-            match reading.club {
-                ClubColumns::Read => row.not_stated.extend(shot.club_notes().cloned()),
-                ClubColumns::Ignored => row.implausible.extend(shot.not_compared()),
+            match reading.is_delivery() {
+                true => row.not_stated.extend(shot.club_notes().cloned()),
+                false => row.implausible.extend(shot.not_compared()),
             }
         }
         // never an error: messages count as an export, whose faulty rows are left out
@@ -177,7 +177,7 @@ impl ShotRows {
         let implausible = row.implausible.into_iter();
         self.implausible
             .extend(implausible.map(|why| format!("{number}: not compared: {why}")));
-        if reading.club == ClubColumns::Ignored {
+        if !reading.is_delivery() {
             for head in row.not_compared {
                 self.uncompared_laterals
                     .entry(head)

@@ -3,9 +3,10 @@ use super::rows::PointRows;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::column::Column;
-use crate::table::head::{TableHead, TableOptions, columns_remark, remark_from_line};
+use crate::table::head::{TableHead, columns_remark, remark_from_line};
 use crate::table::records::{Record, cells};
 use crate::table::row_fault::{NonShotRows, RowFault, ShotLabels};
+use crate::table::table_use::TableUse;
 use crate::table::text::{SourceName, TableEntry, Text, TextTable};
 use crate::units::Message;
 use std::path::{Path, PathBuf};
@@ -45,7 +46,7 @@ impl CsvRows {
     /// fails if a cell is not a number, or if its decimal mark is ambiguous.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let text = Text::of_file(path)?;
-        let (table, mut head) = TextTable::open(text, setup, &TableOptions::POINTS)?;
+        let (table, mut head) = TextTable::open(text, setup, TableUse::Points)?;
         let columns = PointColumns::new(setup, &table.name, &mut head)?;
         let section = CsvSection::new(&table.name, &head, &columns.parameters, &columns.at)?;
         let (path, setup) = (path.to_owned(), *setup);
@@ -64,8 +65,7 @@ impl CsvRows {
     /// Begins a section at a line of column heads. The section must have the parameters of the
     /// first section; other columns are not read.
     fn begin(&mut self, record: &Record) -> Result<()> {
-        let wanted = &TableOptions::POINTS;
-        let Some(mut head) = self.table.section(record, &self.setup, wanted)? else {
+        let Some(mut head) = self.table.section(record, &self.setup, TableUse::Points)? else {
             return Ok(());
         };
         let (file, parameters) = (&self.table.name, &self.columns.parameters);
