@@ -4,7 +4,7 @@ use super::columns::ShotColumns;
 use super::shot::{Club, NOT_COMPARED, Origin, REFUSED, RowParameter, Shot, StatedValue, within};
 use crate::drive::Outcome;
 use crate::table::{
-    CONDITIONS, Record, Refusal, RowFault, StatedConditions, air_of_setup, cells, conditions,
+    CONDITIONS, Content, Record, Refusal, RowFault, StatedConditions, air_of_setup, cells, conditions,
     contradiction, implausible_launch, not_compared,
 };
 use std::borrow::Cow;
@@ -22,12 +22,15 @@ impl ShotColumns {
     /// Reads the shot of a record.
     pub(super) fn shot(&self, record: Record) -> Shot {
         let row = cells(&record.text, self.separator);
-        let column = |at: usize| self.read_column(at);
+        let column = |at: usize| {
+            let column = &self.head.columns[at];
+            column.quantity().map(|_| column)
+        };
         let fault = RowFault::find(
             &record,
             &row,
-            self.heads.len(),
-            self.labels.as_ref(),
+            self.head.heads.len(),
+            self.head.labels.as_ref(),
             column,
         );
         if let Some(fault) = fault {
@@ -41,7 +44,7 @@ impl ShotColumns {
         {
             shot.point = Err(refusal);
         }
-        shot.has_cells_of_head = row.len() == self.heads.len();
+        shot.has_cells_of_head = row.len() == self.head.heads.len();
         (shot.line, shot.text) = (record.line, record.text);
         shot
     }
@@ -50,9 +53,11 @@ impl ShotColumns {
     /// refusal of this run: `now` only reports a missing value, or all cells but the first are
     /// empty. Otherwise `None`.
     fn refused_before(&self, row: &[Cow<'_, str>], now: &Refusal) -> Option<Refusal> {
-        let [_, flight, reason, _] = row.get(self.added.clone())?.first_chunk()?;
+        let [_, flight, reason, _] = row.get(self.head.flown.clone())?.first_chunk()?;
         // `fly` writes a row without valid cells as one text into the first cell
-        let own = row[..self.added.start].iter().chain(&row[self.added.end..]);
+        let own = row[..self.head.flown.start]
+            .iter()
+            .chain(&row[self.head.flown.end..]);
         let is_lacking = now.kind == Refusal::MISSING || own.skip(1).all(|cell| cell.is_empty());
         (flight == REFUSED && is_lacking).then(|| Refusal::new(Refusal::BEFORE, reason.as_ref()))
     }
@@ -63,14 +68,14 @@ impl ShotColumns {
         let mut shot = Shot::refused(0, String::new(), Refusal::new(Refusal::MISSING, ""));
         let mut wrong = None;
         let carry = || {
-            let mut read = self.read.iter();
-            let carry = read.find(|read| read.of == Outcome::CarryDistance)?;
-            carry.column.value(cell(carry.at)).ok().flatten()
+            let (at, column) = self.head.column(Content::Outcome(Outcome::CarryDistance))?;
+            column.value(cell(at)).ok().flatten()
         };
         for read in &self.read {
-            let (of, name) = (read.of, &read.column.head);
+            let (of, column) = (read.of, &self.head.columns[read.at]);
+            let name = &column.head;
             let is_condition = CONDITIONS.contains(&of);
-            match read.column.value(cell(read.at)) {
+            match column.value(cell(read.at)) {
                 Ok(None) => {}
                 Ok(Some(value)) => {
                     let origin = read.origin.or(spin.filter(|_| OF_SPIN.contains(&of)));
@@ -86,13 +91,16 @@ impl ShotColumns {
                 Err(why) => shot.notes.push(format!("{NOT_COMPARED}{name}: {why}")),
             }
         }
-        let club = self.club.each_ref();
-        let heads = club.map(|club| club.as_ref().map_or("", |(_, column)| &column.head));
-        let stated = club.map(|club| {
-            let Some((at, column)) = club else {
+        let columns = &self.head.columns;
+        let heads = self
+            .club
+            .map(|club| club.map_or("", |at| &columns[at].head));
+        let stated = self.club.map(|club| {
+            let Some(at) = club else {
                 return Ok(None);
             };
-            let value = column.value(cell(*at));
+            let column = &columns[at];
+            let value = column.value(cell(at));
             value.map_err(|why| format!("{}: {why}", column.head))
         });
         // the columns are in the convention of the parameters
@@ -109,10 +117,10 @@ impl ShotColumns {
             .is_some_and(|text| text.to_ascii_lowercase().contains("normali"));
         let stated = shot.conditions();
         shot.point = wrong.map_or_else(|| self.point(&stated, row), Err);
-        add_notes(&mut shot, &stated, |of| self.name_of(of));
+        add_notes(&mut shot, &stated, |of| self.head.name_of(of));
         if shot.point.is_ok()
             && let Some(air) = self.stated_air()
-            && let Err(why) = air.column.stated_air(&row[air.at])
+            && let Err(why) = columns[air.at].stated_air(&row[air.at])
         {
             shot.notes.push(air_of_setup(&why));
         }
@@ -124,15 +132,12 @@ impl ShotColumns {
     fn point(&self, stated: &StatedConditions, row: &[Cow<'_, str>]) -> Result<Vec<f64>, Refusal> {
         let mut point = launch(
             stated,
-            |of| self.name_of(of),
-            |of| self.column_of(of).is_some(),
+            |of| self.head.name_of(of),
+            |of| self.head.column(Content::Outcome(of)).is_some(),
         )?;
         for stated in &self.other_parameters {
-            let RowParameter {
-                at,
-                parameter,
-                column,
-            } = stated;
+            let RowParameter { at, parameter } = stated;
+            let column = &self.head.columns[*at];
             if column.is_stated_air() {
                 point.push(column.stated_air(&row[*at]).unwrap_or(self.air));
                 continue;

@@ -3,8 +3,7 @@
 use crate::drive::Outcome;
 use crate::parameters::{Golfer, Parameter};
 use crate::table::{
-    CONDITIONS, Column, LAUNCH_PARAMETERS, NOT_MEASURED, Refusal, StatedConditions,
-    implausible_club,
+    CONDITIONS, LAUNCH_PARAMETERS, NOT_MEASURED, Refusal, StatedConditions, implausible_club,
 };
 
 /// Flight status of a row that was not flown.
@@ -260,13 +259,11 @@ impl Shot {
     }
 }
 
-/// A parameter that is not part of the launch, with its column in the table and the index of this
-/// column.
+/// A parameter that is not part of the launch, with the index of its column in the table.
 #[derive(Clone, Debug)]
 pub(super) struct RowParameter {
     pub at: usize,
     pub parameter: &'static Parameter,
-    pub column: Column,
 }
 
 /// Returns the value if it is in the range of the parameter. `name` is the column head for the

@@ -10,8 +10,8 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    Column, Record, RowFilter, SourceName, TableEntry, TableUse, Text, TextTable, air_replaced,
-    remark_from_line,
+    Column, Content, Record, RowFilter, SourceName, TableEntry, TableUse, Text, TextTable,
+    air_replaced, remark_from_line,
 };
 use crate::units::Message;
 use std::collections::VecDeque;
@@ -189,7 +189,7 @@ impl Shots {
     /// Maker of the export, if its column heads identify it; for JSON, the name of the format.
     pub fn maker(&self) -> Option<&'static str> {
         match &self.columns {
-            Some(columns) => columns.maker,
+            Some(columns) => columns.head.maker,
             None if self.is_written => Some("JSON lines of longdrive fly"),
             None => Some("GSPro Open Connect"),
         }
@@ -233,7 +233,9 @@ impl Shots {
     }
 
     fn column_of(&self, of: Outcome) -> Option<&Column> {
-        self.columns.as_ref()?.column_of(of)
+        let head = &self.columns.as_ref()?.head;
+        let (_, column) = head.column(Content::Outcome(of))?;
+        Some(column)
     }
 
     /// True if the table has a column of this outcome.
@@ -244,7 +246,7 @@ impl Shots {
     /// Column head of an outcome; the name of the outcome if it has no column.
     pub fn name_of(&self, of: Outcome) -> String {
         match &self.columns {
-            Some(columns) => columns.name_of(of),
+            Some(columns) => columns.head.name_of(of),
             None => of.name().into(),
         }
     }

@@ -80,10 +80,25 @@ fn density_in(text: &str, of_table: Option<DecimalMark>) -> Option<f64> {
     Some(in_effect(&setup).air.density)
 }
 
-/// Index of the column whose texts describe the weather of each row, such as `Condition` of
-/// TrackMan: the head is known, and one of the first `rows` has a number. `None` if a column states
-/// the density.
-pub(crate) fn weather_column(columns: &[Column], rows: &[Vec<String>]) -> Option<usize> {
+/// Reads the column that states altitude and temperature, such as `Condition` of TrackMan, as the
+/// air of each row. A column of the density, or weather in the setup, replaces this air.
+pub(super) fn weather_of_rows(setup: &Setup<f64>, columns: &mut [Column], rows: &[Vec<String>]) {
+    let Ok(density) = setup.parameter(AIR) else {
+        return;
+    };
+    if let Some(at) = weather_column(columns, rows) {
+        let column = &mut columns[at];
+        if setup.why_replaced(density).is_some() {
+            (column.content, column.is_overridden_air) = (Content::Note, true);
+        } else {
+            (column.content, column.is_weather) = (Content::Input(density), true);
+        }
+    }
+}
+
+/// Index of the column whose texts describe the weather of each row: the head is known, and one of
+/// the first `rows` has a number. `None` if a column states the density.
+fn weather_column(columns: &[Column], rows: &[Vec<String>]) -> Option<usize> {
     let is_density = |column: &Column| match column.content {
         Content::Input(parameter) => parameter.name == AIR,
         _ => column.is_overridden_air,

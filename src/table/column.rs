@@ -1,7 +1,7 @@
 //! Meaning, unit and number format of a column.
 
 use super::decimal_mark::DecimalMark;
-use super::heads::{AIR, Meaning};
+use super::heads::{AIR, Meaning, rest_of_head};
 use super::launch_monitor;
 use super::numbers;
 use super::numbers::{CellSide, cell_number, unwrapped};
@@ -135,7 +135,10 @@ impl Column {
             (None, Some(Meaning::Outcome(outcome))) => Content::Outcome(outcome),
             (None, Some(Meaning::Input(parameter))) if is_replaced(parameter) => Content::Note,
             (None, Some(Meaning::Input(parameter))) => Content::Input(setup.column(parameter)?),
-            (None, None) if is_head_of_launch_monitor(name, format) => Content::Note,
+            (None, None) if is_head_of_launch_monitor(name, format) => {
+                let rest = rest_of_head(&launch_monitor::words(name));
+                rest.map_or(Content::Note, Content::Outcome)
+            }
             _ => named(setup, name)?,
         };
         let mut column = Self {

@@ -8,6 +8,7 @@ use super::launch_monitor::nearest_head;
 use super::table_use::TableUse;
 use crate::drive::Outcome;
 use crate::units::{Message, Quantity};
+use std::borrow::Borrow;
 
 /// Beginning of the remark on assumed units.
 pub(crate) const ASSUMED_UNITS: &str = "heads without a unit are read as";
@@ -165,28 +166,23 @@ pub(crate) fn in_degrees<'a>(columns: impl IntoIterator<Item = &'a Column>) -> O
     })
 }
 
-/// Remark on values of the club in shots with a measured launch.
-pub(crate) const CLUB_LEFT_OUT: &str =
-    "the ball flies from its measured launch; columns of the club are left out";
-
-/// Ignores the unknown columns of an export, except the column `of_air`, which states the air of
-/// each row. If the launch is measured, also ignores
+/// Ignores columns of an export:
 ///
-/// - the smash factor,
-/// - columns of the club, unless they help to find deliveries,
-/// - redundant spin columns, if no row chooses among its own spin values.
+/// - of measurements, columns of the rest position,
+/// - with a whole launch, the smash factor,
+/// - with a whole launch, columns of the club that the use of the table does not need,
+/// - with a whole launch, redundant spin columns, if no row chooses among its own spin values.
 ///
-/// Returns remarks.
-pub(super) fn ignore_columns(
-    columns: &mut [Column],
-    of_air: Option<usize>,
-    table_use: TableUse,
-) -> Vec<Message> {
-    let mut remarks: Vec<Message> = unknown_columns(columns, of_air).into_iter().collect();
+/// Returns remarks, also on unknown columns.
+pub(crate) fn ignore_columns(columns: &mut [Column], table_use: TableUse) -> Vec<Message> {
+    let mut remarks: Vec<Message> = unknown_columns(columns).into_iter().collect();
+    if table_use == TableUse::Measurements {
+        remarks.extend(ignore_totals(columns));
+    }
     if !has_whole_launch(columns) {
         return remarks;
     }
-    let reads_club = table_use == TableUse::Deliveries;
+    let reads_club = table_use.reads_club();
     let selects_spin_by_row = table_use.selects_spin_by_row();
     let is_club = |column: &Column| {
         let is_of_the_strike = !reads_club && column.is_of_the_strike();
@@ -196,7 +192,7 @@ pub(super) fn ignore_columns(
     if !ignored.is_empty() {
         let reason = match reads_club {
             true => "the smash factor follows from the speeds of ball and club; left out",
-            false => CLUB_LEFT_OUT,
+            false => "the ball flies from its measured launch; columns of the club are left out",
         };
         remarks.push(format!("{reason}: {}", ignored.join(", ")).into());
     }
@@ -243,6 +239,11 @@ fn redundant_spins(columns: &[Column]) -> &'static [Outcome] {
     }
 }
 
+/// The message `what: a, b` for the names a and b; `None` without names.
+pub(crate) fn columns_remark<S: Borrow<str>>(what: &str, names: &[S]) -> Option<Message> {
+    (!names.is_empty()).then(|| format!("{what}: {}", names.join(", ")).into())
+}
+
 /// Column heads of the columns that satisfy `is`.
 pub(crate) fn heads_of<'a>(
     columns: impl IntoIterator<Item = &'a Column>,
@@ -255,14 +256,26 @@ pub(crate) fn heads_of<'a>(
         .collect()
 }
 
-fn unknown_columns(columns: &[Column], of_air: Option<usize>) -> Option<Message> {
+/// Ignores the columns of the ball's rest position, because the ground of an export is unknown.
+/// Returns a remark.
+fn ignore_totals(columns: &mut [Column]) -> Option<Message> {
+    let is_total =
+        |column: &Column| matches!(column.content, Content::Outcome(of) if of.needs_run());
+    let remark = columns_remark(
+        "the rest position is not compared, since the ground of the launch monitor is not known",
+        &heads_of(&*columns, is_total),
+    );
+    for column in columns.iter_mut().filter(|column| is_total(column)) {
+        column.content = Content::Note;
+    }
+    remark
+}
+
+fn unknown_columns(columns: &[Column]) -> Option<Message> {
     let unknown: Vec<String> = columns
         .iter()
-        .enumerate()
-        .filter(|(at, column)| {
-            column.is_unknown() && !column.head.is_empty() && of_air != Some(*at)
-        })
-        .map(|(_, column)| with_nearest(&column.head))
+        .filter(|column| column.is_unknown() && !column.head.is_empty())
+        .map(|column| with_nearest(&column.head))
         .collect();
     let list = unknown.join(", ");
     (!unknown.is_empty()).then(|| format!("columns that are not used: {list}").into())

@@ -1,11 +1,12 @@
 //! The column heads of a table: meaning of the columns, and errors in column heads.
 
 use super::CONDITIONS;
-use super::air::weather_column;
+use super::air::weather_of_rows;
 use super::column::{Column, Content, LAUNCH, STATUS, TableFormat};
 use super::decimal_mark::DecimalMark;
-use super::export_columns::{assumed_units_remark, given_air, ignore_columns, in_degrees};
-use super::heads::rest_of_head;
+use super::export_columns::{
+    assume_unit, assumed_units_remark, columns_remark, given_air, ignore_columns, in_degrees,
+};
 use super::launch_monitor::{is_export, split_unit, units_row, words};
 use super::maker::maker;
 use super::row_fault::ShotLabels;
@@ -15,7 +16,6 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::Setup;
 use crate::units::Message;
-use std::borrow::Borrow;
 use std::ops::Range;
 
 /// First columns that `fly` adds to the shots.
@@ -24,7 +24,7 @@ pub(crate) const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
 const FLOWN_PREFIXES: [&str; 2] = ["Predicted ", "Residual "];
 
 /// The column heads of a table, interpreted.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct TableHead {
     /// The column heads as written.
     pub heads: Vec<String>,
@@ -39,6 +39,8 @@ pub(crate) struct TableHead {
     pub rows: Vec<Vec<String>>,
     /// Remarks on ignored columns.
     pub remarks: Vec<Message>,
+    /// The columns without a unit, each with the assumed unit.
+    pub assumed_units: Vec<String>,
     /// Remark on the encoding.
     pub encoding: Option<&'static str>,
     /// Maker of an export, if the column heads identify it.
@@ -96,34 +98,46 @@ impl TableHead {
             columns,
             format,
             units,
-            rows: vec![],
-            remarks: vec![],
-            encoding: None,
-            maker: None,
-            turned: None,
-            labels: None,
             flown,
+            ..Self::default()
         })
     }
 
-    /// Interprets the columns by the first `rows` of the section: finds the decimal mark, the maker
-    /// of an export and the signs of its spins, then ignores columns that are not used.
-    pub fn interpret(&mut self, rows: Vec<Vec<String>>, table_use: TableUse) {
+    /// Interprets the columns by the first `rows` of the section: finds the decimal mark, and the
+    /// meaning of columns that the heads alone do not tell.
+    pub fn interpret(&mut self, setup: &Setup<f64>, rows: Vec<Vec<String>>, table_use: TableUse) {
         self.rows = rows;
         self.detect_decimal_mark();
         if self.format.is_export {
-            self.maker = maker(&self.heads);
-            self.labels = Some(ShotLabels::find(&self.columns, &self.rows));
-            let turned = turn_spins(self.maker, &mut self.columns, &self.rows);
-            let of_air = weather_column(&self.columns, &self.rows);
-            self.remarks = ignore_columns(
-                &mut self.columns,
-                of_air.filter(|_| table_use.has_air_of_rows()),
-                table_use,
-            );
-            self.turned = turned_remark(&self.columns, &turned);
+            self.interpret_export(setup, table_use);
         }
         resolve_sweep_names(&mut self.columns);
+    }
+
+    /// Finds the maker of an export, the signs of its spins and the air of its rows, ignores columns
+    /// that are not used, and assumes units that are missing.
+    fn interpret_export(&mut self, setup: &Setup<f64>, table_use: TableUse) {
+        self.maker = maker(&self.heads);
+        self.labels = Some(ShotLabels::find(&self.columns, &self.rows));
+        let turned = turn_spins(self.maker, &mut self.columns, &self.rows);
+        if table_use.has_air_of_rows() {
+            weather_of_rows(setup, &mut self.columns, &self.rows);
+        }
+        if self.maker == Some("Foresight") {
+            // `Offline` is the lateral position at rest
+            let mut columns = self.columns.iter_mut();
+            if let Some(column) = columns.find(|column| words(&column.head) == "offline") {
+                column.content = Content::Outcome(Outcome::LateralTotal);
+            }
+        }
+        self.remarks = ignore_columns(&mut self.columns, table_use);
+        self.turned = turned_remark(&self.columns, &turned);
+        // a parameter of a sweep needs a stated unit
+        if table_use != TableUse::Points {
+            let columns = self.columns.iter_mut().enumerate();
+            let assumed = columns.filter_map(|(at, column)| assume_unit(at, column, &self.rows));
+            self.assumed_units = assumed.collect();
+        }
     }
 
     /// Interprets the column names of a table in SI.
@@ -139,15 +153,7 @@ impl TableHead {
         Ok(Self {
             heads: names.to_vec(),
             columns,
-            format: TableFormat::default(),
-            units: None,
-            rows: vec![],
-            remarks: vec![],
-            encoding: None,
-            maker: None,
-            turned: None,
-            labels: None,
-            flown: 0..0,
+            ..Self::default()
         })
     }
 
@@ -156,11 +162,8 @@ impl TableHead {
         if self.format.decimal_mark.is_some() {
             return;
         }
-        let has_numbers = |column: &Column| {
-            column.quantity().is_some() || rest_of_head(&words(&column.head)).is_some()
-        };
         let columns = &self.columns;
-        let of_numbers = (0..columns.len()).filter(|at| has_numbers(&columns[*at]));
+        let of_numbers = (0..columns.len()).filter(|at| columns[*at].quantity().is_some());
         self.format.decimal_mark = DecimalMark::detect(of_numbers, &self.rows);
         for column in &mut self.columns {
             column.format.decimal_mark = self.format.decimal_mark;
@@ -190,17 +193,27 @@ impl TableHead {
         columns_remark("columns given twice; only the first is used", &repeated)
     }
 
-    /// Remarks on how the columns are read. `club` are columns of the club that are read although
-    /// the head ignores them; `assumed_units` are the columns without a unit, each with the assumed
-    /// unit.
-    pub fn column_remarks(&self, club: &[Column], assumed_units: &[String]) -> Vec<Message> {
+    /// Remarks on how the columns are read.
+    pub fn column_remarks(&self) -> Vec<Message> {
         let mut remarks: Vec<Message> = self.encoding.map(Message::from).into_iter().collect();
         remarks.extend(self.remarks.iter().cloned());
-        remarks.extend(in_degrees(self.columns.iter().chain(club)).map(Message::from));
-        remarks.extend(assumed_units_remark(assumed_units));
+        remarks.extend(in_degrees(&self.columns).map(Message::from));
+        remarks.extend(assumed_units_remark(&self.assumed_units));
         remarks.extend(self.turned.clone().map(Message::from));
         remarks.extend(given_air(&self.columns).map(Message::from));
         remarks
+    }
+
+    /// The first column with this content, and its index.
+    pub fn column(&self, content: Content) -> Option<(usize, &Column)> {
+        let mut columns = self.columns.iter().enumerate();
+        columns.find(|(_, column)| column.content == content)
+    }
+
+    /// Column head of an outcome, for messages; the name of the outcome if it has no column.
+    pub fn name_of(&self, of: Outcome) -> String {
+        let column = self.column(Content::Outcome(of));
+        column.map_or(of.name().into(), |(_, column)| column.head.clone())
     }
 
     /// True if a column is a parameter of swing, strike, club or impact.
@@ -268,11 +281,6 @@ fn resolve_sweep_names(columns: &mut [Column]) {
     {
         column.content = Content::Outcome(Outcome::Carry);
     }
-}
-
-/// The message `what: a, b` for the names a and b; `None` without names.
-pub(crate) fn columns_remark<S: Borrow<str>>(what: &str, names: &[S]) -> Option<Message> {
-    (!names.is_empty()).then(|| format!("{what}: {}", names.join(", ")).into())
 }
 
 /// `remark` with the number of the line in which the section begins.

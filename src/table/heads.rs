@@ -55,7 +55,7 @@ pub(super) fn heads() -> impl Iterator<Item = (&'static str, Meaning)> {
 
 /// The outcome of the rest position whose column head is `words`, in lower case without
 /// punctuation.
-pub(crate) fn rest_of_head(words: &str) -> Option<Outcome> {
+pub(super) fn rest_of_head(words: &str) -> Option<Outcome> {
     let mut of_rest = Outcome::ALL.iter().copied().filter(|of| of.needs_run());
     of_rest.find(|of| of.column_heads().contains(&words))
 }

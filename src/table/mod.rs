@@ -25,7 +25,7 @@ mod sign_conventions;
 mod table_use;
 mod text;
 
-pub(crate) use air::{air_of_rows, air_of_setup, air_replaced, ignore_stated_air, weather_column};
+pub(crate) use air::{air_of_rows, air_of_setup, air_replaced, ignore_stated_air};
 pub(crate) use column::{Column, Content, TableFormat};
 pub(crate) use conditions::{
     ConditionFault, LAUNCH_PARAMETERS, StatedConditions, conditions, contradiction,
@@ -35,11 +35,11 @@ pub(crate) use decimal_mark::DecimalMark;
 #[cfg(feature = "commands")]
 pub(crate) use export_columns::ASSUMED_UNITS;
 pub(crate) use export_columns::{
-    CLUB_LEFT_OUT, assume_unit, has_whole_launch, heads_of, missing_launch_remark,
+    assume_unit, columns_remark, has_whole_launch, heads_of, ignore_columns, missing_launch_remark,
     missing_of_launch, near_known, redundant_spins_remark, with_nearest,
 };
-pub(crate) use head::{OF_FLOWN, TableHead, columns_remark, remark_from_line};
-pub(crate) use heads::{is_condition_head, rest_of_head};
+pub(crate) use head::{OF_FLOWN, TableHead, remark_from_line};
+pub(crate) use heads::is_condition_head;
 pub(crate) use launch_monitor::{split_unit, words};
 pub(crate) use plausible::{
     NOT_MEASURED, implausible_club, implausible_launch, impossible, not_compared, outside,
@@ -48,7 +48,7 @@ pub use points::{open_table, sweep_points};
 pub use records::Record;
 pub(crate) use records::{cells, quoted};
 pub use refusal::Refusal;
-pub(crate) use row_fault::{NonShotRows, RowFault, ShotLabels};
+pub(crate) use row_fault::{NonShotRows, RowFault};
 pub use row_filter::RowFilter;
 pub(crate) use row_filter::{club_column, counted_values};
 pub(crate) use table_use::TableUse;

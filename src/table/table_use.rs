@@ -39,6 +39,11 @@ impl TableUse {
         matches!(self, Self::Launches | Self::Measurements)
     }
 
+    /// True if columns of the club are read beside a measured launch.
+    pub fn reads_club(self) -> bool {
+        matches!(self, Self::Launches | Self::Deliveries)
+    }
+
     /// Advice for unknown column heads.
     pub fn advice(self) -> &'static str {
         match self {

@@ -233,7 +233,7 @@ impl TextTable {
             self.give_back(below);
         }
         let rows = self.rows_ahead(&head);
-        head.interpret(rows, table_use);
+        head.interpret(setup, rows, table_use);
         Ok(head)
     }
 

@@ -99,7 +99,7 @@ impl ExportRows {
                 of: of.to_vec(),
                 system,
                 separator: columns.separator,
-                has_decimal_comma: columns.decimal_mark == Some(DecimalMark::Comma),
+                has_decimal_comma: columns.head.format.decimal_mark == Some(DecimalMark::Comma),
             },
         }
     }
@@ -107,7 +107,10 @@ impl ExportRows {
     /// The cells of a line, one for each column head, but without the cells that an earlier run of
     /// `fly` added. A missing cell at the end of the line is empty.
     fn own<'a, S: AsRef<str>>(&self, cells: &'a [S]) -> impl Iterator<Item = &'a str> {
-        let (count, added) = (self.columns.heads.len(), self.columns.added.clone());
+        let (count, added) = (
+            self.columns.head.heads.len(),
+            self.columns.head.flown.clone(),
+        );
         let cells = (0..count).map(|at| cells.get(at).map_or("", AsRef::as_ref));
         cells
             .enumerate()
@@ -130,13 +133,13 @@ impl ExportRows {
                 format!("[{unit}]")
             }
         };
-        let text = match &self.columns.units {
+        let text = match &self.columns.head.units {
             Some(units) => {
                 let (names, below) = heads
                     .into_iter()
                     .map(|(name, unit)| (name, in_brackets(unit)))
                     .unzip();
-                line(&self.columns.heads, names) + &line(units, below)
+                line(&self.columns.head.heads, names) + &line(units, below)
             }
             None => {
                 let names = heads.into_iter().map(|(name, unit)| {
@@ -144,7 +147,7 @@ impl ExportRows {
                         .trim_end()
                         .to_owned()
                 });
-                line(&self.columns.heads, names.collect())
+                line(&self.columns.head.heads, names.collect())
             }
         };
         text.into_bytes()
@@ -161,9 +164,9 @@ impl ExportRows {
             bytes.extend_from_slice(format!("\"{}\"", shot.text.replace('"', "\"\"")).as_bytes());
             bytes.extend(std::iter::repeat_n(
                 separator,
-                self.own(&self.columns.heads).count() - 1,
+                self.own(&self.columns.head.heads).count() - 1,
             ));
-        } else if shot.has_cells_of_head && self.columns.added.is_empty() {
+        } else if shot.has_cells_of_head && self.columns.head.flown.is_empty() {
             bytes.extend_from_slice(shot.text.as_bytes());
         } else {
             // omit the cells that an earlier run of `fly` added, and empty cells beyond the last

@@ -126,7 +126,7 @@ impl Keys {
     /// The keys of rows in a section of a table.
     pub fn of_section(&self, section: &Section) -> Self {
         let columns = &section.columns;
-        let heads = &columns.heads;
+        let heads = &columns.head.heads;
         // a repeated column head gets a number
         let key = |(at, head): (usize, &String)| {
             let before = heads[..at].iter().filter(|other| *other == head).count();

@@ -5,11 +5,11 @@ use super::statistics::SigmaOrigin;
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
-use crate::shots::{Club as ClubOfShot, Shot, interpret};
+use crate::shots::{Club as ClubOfShot, Shot};
 use crate::table::{
-    CLUB_LEFT_OUT, CONDITIONS, Column, ConditionFault, Content, LAUNCH_PARAMETERS, ShotLabels,
-    StatedConditions as Launch, TableHead, TableUse, TextTable, club_column, columns_remark,
-    conditions, contradiction, has_whole_launch, heads_of, ignore_stated_air, implausible_club,
+    CONDITIONS, Column, ConditionFault, Content, LAUNCH_PARAMETERS, StatedConditions as Launch,
+    TableFormat, TableHead, TableUse, TextTable, club_column, columns_remark, conditions,
+    contradiction, has_whole_launch, heads_of, ignore_columns, ignore_stated_air, implausible_club,
     implausible_launch, impossible, is_straight_by_assumption, missing_launch_remark, near_known,
     not_compared, outside, redundant_spins_remark, without_redundant_spins,
 };
@@ -18,21 +18,14 @@ use crate::units::{Digits, Message, Quantity};
 /// Largest accepted magnitude of a measured value, in the SI unit of its outcome.
 const MOST: f64 = 1e9;
 
-const NO_GROUND: &str =
-    "the rest position is not compared, since the ground of the launch monitor is not known";
-
 /// The columns of one section of a table, with the setup and the options for reading them.
 #[derive(Clone)]
 pub(super) struct Reading {
     pub setup: Setup<f64>,
-    pub columns: Vec<Column>,
+    pub head: TableHead,
     /// Remarks on the columns.
     pub remarks: Vec<Message>,
     pub is_launched: bool,
-    /// True for an export of a launch monitor.
-    pub is_export: bool,
-    /// The columns that say which shot a row is; `None` for a table that is no export.
-    pub labels: Option<ShotLabels>,
     /// Measurements, or deliveries: the launch is then the measurement, and no ball flies.
     pub table_use: TableUse,
     /// Index of the column that names the club of each shot.
@@ -141,15 +134,12 @@ impl Reading {
         is_air_given: bool,
     ) -> Read<Self> {
         let refused = |place: String, reason: String| table.name.refused(place, reason);
-        let assumed_units = interpret(setup, &mut head, table_use);
         if is_air_given {
             ignore_stated_air(&mut head.columns);
         }
         let is_export = head.format.is_export;
-        let mut remarks = head.column_remarks(&[], &assumed_units);
-        if is_export {
-            remarks.extend(without_totals(&mut head));
-        } else if table_use == TableUse::Deliveries {
+        let mut remarks = head.column_remarks();
+        if !is_export && table_use == TableUse::Deliveries {
             remarks.extend(redundant_spins_remark(&head.columns));
         }
         remarks.extend(head.ignore_repeated());
@@ -186,11 +176,9 @@ impl Reading {
         let reading = Self {
             setup: *setup,
             is_launched,
-            is_export,
-            labels: head.labels,
             table_use,
             club_name,
-            columns: head.columns,
+            head,
             remarks,
         };
         match reading.why_not_flown() {
@@ -207,11 +195,11 @@ impl Reading {
     /// Reason why no row of an export can fly: the export has neither launches nor deliveries.
     /// `None` if rows can fly, if the table needs no flight, or if it is not an export.
     fn why_not_flown(&self) -> Option<String> {
-        let is_flown = self.is_launched || self.columns.iter().any(Column::is_of_the_strike);
-        if !self.is_export || self.is_delivery() || is_flown {
+        let is_flown = self.is_launched || self.head.columns.iter().any(Column::is_of_the_strike);
+        if !self.head.format.is_export || self.is_delivery() || is_flown {
             return None;
         }
-        let near = near_known(&self.columns);
+        let near = near_known(&self.head.columns);
         Some(format!(
             "it has neither a whole launch (ball speed, launch angle and spin) nor a column of \
              the club, such as club speed{near}; add \
@@ -232,48 +220,31 @@ impl Reading {
                 .iter()
                 .any(|shot| shot.refusal().is_none() && shot.value(**of).is_some())
         };
-        let (at_rest, outcomes): (Vec<Outcome>, Vec<Outcome>) = Outcome::ALL
-            .iter()
-            .filter(is_stated)
-            .partition(|of| of.needs_run());
-        let at_rest: Vec<&str> = at_rest.iter().map(|of| of.name()).collect();
-        let mut remarks: Vec<Message> = columns_remark(NO_GROUND, &at_rest).into_iter().collect();
-        let mut columns: Vec<Column> = outcomes
-            .into_iter()
-            .map(|of| Column::of(Content::Outcome(of), of.name()))
-            .collect();
+        let outcomes = Outcome::ALL.iter().filter(is_stated);
+        let outcomes = outcomes.map(|of| Column::of(Content::Outcome(*of), of.name()));
         let is_given = |(at, _): &(usize, &str)| {
             let mut clubs = shots.iter().map(|shot| shot.club.values());
             clubs.any(|values| values[*at].is_some())
         };
         let of_club = ClubOfShot::NAMES.into_iter().enumerate().filter(is_given);
-        let of_club: Vec<&str> = of_club.map(|(_, name)| name).collect();
-        match table_use {
-            TableUse::Deliveries => {
-                remarks.extend(redundant_spins_remark(&columns));
-                columns.extend(
-                    of_club
-                        .iter()
-                        .filter_map(|name| setup.variable(name).ok())
-                        .map(|parameter| Column::of(Content::Input(parameter), parameter.name)),
-                );
-            }
-            _ => remarks.extend(columns_remark(CLUB_LEFT_OUT, &of_club)),
-        }
-        columns.extend(
-            other_parameters
-                .iter()
-                .map(|parameter| Column::of(Content::Input(parameter), parameter.name)),
-        );
-        let is_launched = table_use == TableUse::Measurements;
+        let of_club = of_club.filter_map(|(_, name)| setup.parameter(name).ok());
+        let inputs = of_club.chain(other_parameters.iter().copied());
+        let inputs = inputs.map(|parameter| Column::of(Content::Input(parameter), parameter.name));
+        let mut columns: Vec<Column> = outcomes.chain(inputs).collect();
+        let remarks = ignore_columns(&mut columns, table_use);
         Self {
             setup: *setup,
-            is_launched,
-            is_export: true,
-            labels: None,
+            is_launched: table_use == TableUse::Measurements,
             table_use,
             club_name: None,
-            columns,
+            head: TableHead {
+                columns,
+                format: TableFormat {
+                    is_export: true,
+                    ..TableFormat::default()
+                },
+                ..TableHead::default()
+            },
             remarks,
         }
     }
@@ -285,8 +256,8 @@ impl Reading {
             Some(_) if column.is_stated_air() => column.stated_air(cell).map(Some),
             Some(_) => column.value(cell),
         };
-        let values: Vec<CellValue> = self.columns.iter().zip(cells).map(value).collect();
-        let stationary = self.column(Content::Stationary);
+        let values: Vec<CellValue> = self.head.columns.iter().zip(cells).map(value).collect();
+        let stationary = self.head.column(Content::Stationary);
         let stationary = stationary.map_or("", |(at, _)| cells[at]);
         self.shot(row, &values, stationary)
     }
@@ -309,17 +280,17 @@ impl Reading {
             }
             _ => None,
         };
-        let values: Vec<CellValue> = self.columns.iter().map(|column| Ok(of(column))).collect();
+        let values: Vec<CellValue> = self
+            .head
+            .columns
+            .iter()
+            .map(|column| Ok(of(column)))
+            .collect();
         self.shot(row, &values, "")
     }
 
-    fn column(&self, content: Content) -> Option<(usize, &Column)> {
-        let mut columns = self.columns.iter().enumerate();
-        columns.find(|(_, column)| column.content == content)
-    }
-
     fn cell(&self, values: &[CellValue], content: Content) -> Result<Option<f64>, RowError> {
-        let Some((at, column)) = self.column(content) else {
+        let Some((at, column)) = self.head.column(content) else {
             return Ok(None);
         };
         values[at]
@@ -328,7 +299,7 @@ impl Reading {
     }
 
     fn sigma(&self, values: &[CellValue], content: Content, one: f64) -> Result<f64, RowError> {
-        let Some((_, column)) = self.column(content) else {
+        let Some((_, column)) = self.head.column(content) else {
             return Ok(one);
         };
         let sigma = self.cell(values, content)?;
@@ -370,7 +341,7 @@ impl Reading {
         row.contradiction = self.contradiction(stated);
         let mut at_shot = self.setup;
         let mut missing: Option<RowError> = None;
-        for (at, column) in self.columns.iter().enumerate() {
+        for (at, column) in self.head.columns.iter().enumerate() {
             match column.content {
                 Content::Input(parameter) if column.is_stated_air() => match &values[at] {
                     Ok(density) => row.shot.inputs.extend(density.map(|air| (parameter, air))),
@@ -429,7 +400,7 @@ impl Reading {
         let here = || Some(column.head.clone());
         let value = match self.cell(values, column.content) {
             // keep a row of an export although a measured value is unusable, as `fly` does
-            Err(wrong) if self.is_export => {
+            Err(wrong) if self.head.format.is_export => {
                 row.implausible
                     .push(format!("{}: {}", column.head, wrong.why));
                 return Ok(());
@@ -449,7 +420,9 @@ impl Reading {
             let carry = self.cell(values, Content::Outcome(Outcome::CarryDistance));
             carry.ok().flatten()
         };
-        if let Some(why) = not_compared(outcome, value, carry).filter(|_| self.is_export) {
+        if let Some(why) =
+            not_compared(outcome, value, carry).filter(|_| self.head.format.is_export)
+        {
             row.implausible.push(format!("{}: {why}", column.head));
             return Ok(());
         }
@@ -502,7 +475,7 @@ impl Reading {
             return None;
         }
         let launch = self.launch(stated).ok()?;
-        contradiction(stated, [launch[3], launch[4]], |of| self.head(of))
+        contradiction(stated, [launch[3], launch[4]], |of| self.head.name_of(of))
     }
 
     /// The spins of a row that are not measured, since the row states the spin in another way too.
@@ -562,6 +535,7 @@ impl Reading {
     pub fn launch_beside_club(&self) -> Option<[String; 2]> {
         let heads = |is: &dyn Fn(&Column) -> bool| {
             let heads = self
+                .head
                 .columns
                 .iter()
                 .filter(|column| is(column))
@@ -572,13 +546,7 @@ impl Reading {
             &|column| matches!(column.content, Content::Outcome(of) if CONDITIONS.contains(&of)),
         );
         let club = heads(&Column::is_of_the_strike);
-        (has_whole_launch(&self.columns) && !club.is_empty()).then_some([launch, club])
-    }
-
-    /// The column head of outcome `of`, for messages.
-    fn head(&self, of: Outcome) -> String {
-        let column = self.column(Content::Outcome(of));
-        column.map_or(of.name().into(), |(_, column)| column.head.clone())
+        (has_whole_launch(&self.head.columns) && !club.is_empty()).then_some([launch, club])
     }
 
     /// The launch conditions of a row.
@@ -596,15 +564,15 @@ impl Reading {
         for (value, of) in looked_at.iter_mut().zip(CONDITIONS) {
             *value = value.filter(|value| !self.is_measured_zero(of, *value));
         }
-        if let Some(why) = implausible_launch(&looked_at, |of| self.head(of)) {
+        if let Some(why) = implausible_launch(&looked_at, |of| self.head.name_of(of)) {
             return Err(RowError::new(None, why));
         }
-        if !self.is_export {
+        if !self.head.format.is_export {
             return Ok(());
         }
         // an incomplete launch is a fault only if the delivery of the launch is to be estimated,
         // and if the table has all launch columns
-        let is_whole = self.is_delivery() && has_whole_launch(&self.columns);
+        let is_whole = self.is_delivery() && has_whole_launch(&self.head.columns);
         match self.launch(*stated) {
             Err(wrong) if !wrong.is_incomplete || is_whole => Err(wrong),
             _ => Ok(()),
@@ -614,19 +582,19 @@ impl Reading {
     /// True for a measured spin of 0. In an export, a spin of 0 means that the spin was not
     /// measured.
     fn is_measured_zero(&self, of: Outcome, value: f64) -> bool {
-        of == Outcome::Spin && value == 0.0 && !self.is_export
+        of == Outcome::Spin && value == 0.0 && !self.head.format.is_export
     }
 
     /// Computes the launch parameters (name and SI value) from the launch conditions of a row.
     fn launch(&self, stated: Launch) -> Result<[f64; LAUNCH_PARAMETERS.len()], RowError> {
-        let has = |of: Outcome| self.column(Content::Outcome(of)).is_some();
+        let has = |of: Outcome| self.head.column(Content::Outcome(of)).is_some();
         conditions(stated, has).map_err(
             |ConditionFault {
                  of,
                  why,
                  is_missing,
              }| RowError {
-                column: Some(self.head(of)),
+                column: Some(self.head.name_of(of)),
                 why: why.into(),
                 is_incomplete: is_missing,
             },
@@ -669,12 +637,12 @@ impl Reading {
     /// Remarks on assumed standard uncertainties, and the origin of the standard uncertainties. If
     /// the columns have several origins, the last of these in [`SigmaOrigin`] counts.
     pub fn assumed_sigmas(&self, shots: &[MeasuredShot]) -> (Vec<Message>, SigmaOrigin) {
-        let has = |content: Content| self.column(content).is_some();
+        let has = |content: Content| self.head.column(content).is_some();
         let measured = || shots.iter().flat_map(|shot| &shot.measured);
         let is_measured = |outcome| measured().any(|measured| measured.outcome == outcome);
         let mut origin = SigmaOrigin::Stated;
         let mut remarks = vec![];
-        for column in &self.columns {
+        for column in &self.head.columns {
             match column.content {
                 Content::Outcome(outcome) if !self.is_measurement(outcome) => {}
                 // no row has this measurement
@@ -735,18 +703,6 @@ fn inputs(columns: &[Column]) -> Vec<&'static str> {
             _ => None,
         })
         .collect()
-}
-
-/// Removes the columns of the ball's rest position from an export, because the ground of the export
-/// is unknown. Returns a remark.
-fn without_totals(head: &mut TableHead) -> Option<Message> {
-    let is_total =
-        |column: &Column| matches!(column.content, Content::Outcome(of) if of.needs_run());
-    let remark = columns_remark(NO_GROUND, &heads_of(&head.columns, is_total));
-    for column in head.columns.iter_mut().filter(|column| is_total(column)) {
-        column.content = Content::Note;
-    }
-    remark
 }
 
 /// Checks units and columns of uncertainties.

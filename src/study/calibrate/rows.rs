@@ -97,18 +97,18 @@ impl ShotRows {
     pub fn take(&mut self, reading: &Reading, record: &Record, separator: u8) -> Result<()> {
         self.row += 1;
         let row = cells(&record.text, separator);
-        let columns = &reading.columns;
+        let columns = &reading.head.columns;
         let column = |at: usize| {
             let column = columns.get(at)?;
             column.quantity().map(|_| column)
         };
-        let fault = RowFault::find(record, &row, columns.len(), reading.labels.as_ref(), column);
+        let fault = RowFault::find(record, &row, columns.len(), reading.head.labels.as_ref(), column);
         if let Some(fault) = fault {
             if let RowFault::Title(title) = fault {
                 self.title = Some(title.into());
             }
             if let Err(wrong) = self.no_shots.add(self.row as u64, fault) {
-                if !reading.is_export {
+                if !reading.head.format.is_export {
                     return Err(self.refused("", wrong.reason));
                 }
                 self.unreadable
@@ -206,7 +206,7 @@ impl ShotRows {
             .as_ref()
             .map_or(String::new(), |name| format!(", column {name}"));
         if wrong.is_incomplete {
-            if !reading.is_export {
+            if !reading.head.format.is_export {
                 let error = self.refused(&place, wrong.why);
                 self.first_incomplete.get_or_insert(error);
             }
@@ -214,7 +214,7 @@ impl ShotRows {
             self.incomplete.push(format!("row {row} ({column})"));
             return Ok(());
         }
-        if !reading.is_export {
+        if !reading.head.format.is_export {
             return Err(self.refused(&place, wrong.why));
         }
         let column = wrong
@@ -291,7 +291,7 @@ impl ShotRows {
         }
         let counts = counted_values(&self.clubs);
         let mut readings = self.sections.iter().map(|section| &section.reading);
-        let head = readings.find_map(|reading| Some(&reading.columns[reading.club_name?].head));
+        let head = readings.find_map(|reading| Some(&reading.head.columns[reading.club_name?].head));
         let Some(head) = head else {
             let file = &self.file;
             let warning = match self.title {
@@ -344,7 +344,7 @@ impl ShotRows {
         let mut given: Vec<Message> = vec![];
         let mut remarks = vec![];
         for (section, shots) in self.sections_with_shots() {
-            let mut columns = section.reading.columns.iter();
+            let mut columns = section.reading.head.columns.iter();
             let Some(column) = columns.find(|column| column.is_stated_air()) else {
                 continue;
             };
@@ -415,7 +415,7 @@ impl ShotRows {
         let mut left_out: Vec<Message> = left_out.into_iter().map(Message::from).collect();
         let mut warnings = vec![];
         let mut sections = self.sections.iter();
-        if !sections.any(|section| section.reading.is_export) {
+        if !sections.any(|section| section.reading.head.format.is_export) {
             warnings.append(&mut left_out);
             warnings.extend(self.contradiction_warning());
             self.contradictions.clear();

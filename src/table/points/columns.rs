@@ -62,7 +62,7 @@ impl PointColumns {
             // the spins are not read
             head.turned = None;
         }
-        let mut notes = head.column_remarks(&[], &[]);
+        let mut notes = head.column_remarks();
         notes.extend(not_read(head, &at));
         Ok(Self {
             at,
