@@ -4,7 +4,7 @@ use super::columns::ShotColumns;
 use super::shot::{Club, NOT_COMPARED, Origin, REFUSED, RowParameter, Shot, StatedValue, within};
 use crate::drive::Outcome;
 use crate::table::{
-    CONDITIONS, Content, Record, Refusal, RowFault, StatedConditions, air_of_setup, cells, conditions,
+    CONDITIONS, Content, Record, Refusal, StatedConditions, air_of_setup, cells, conditions,
     contradiction, implausible_launch, not_compared,
 };
 use std::borrow::Cow;
@@ -22,18 +22,7 @@ impl ShotColumns {
     /// Reads the shot of a record.
     pub(super) fn shot(&self, record: Record) -> Shot {
         let row = cells(&record.text, self.separator);
-        let column = |at: usize| {
-            let column = &self.head.columns[at];
-            column.quantity().map(|_| column)
-        };
-        let fault = RowFault::find(
-            &record,
-            &row,
-            self.head.heads.len(),
-            self.head.labels.as_ref(),
-            column,
-        );
-        if let Some(fault) = fault {
+        if let Some(fault) = self.head.row_fault(&record, &row) {
             let refusal = fault.refusal();
             return Shot::refused(record.line, record.text, refusal);
         }

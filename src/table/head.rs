@@ -9,7 +9,8 @@ use super::export_columns::{
 };
 use super::launch_monitor::{is_export, split_unit, units_row, words};
 use super::maker::maker;
-use super::row_fault::ShotLabels;
+use super::records::Record;
+use super::row_fault::{RowFault, ShotLabels, miscounted};
 use super::sign_conventions::{turn_spins, turned_remark};
 use super::table_use::TableUse;
 use crate::drive::Outcome;
@@ -214,6 +215,20 @@ impl TableHead {
     pub fn name_of(&self, of: Outcome) -> String {
         let column = self.column(Content::Outcome(of));
         column.map_or(of.name().into(), |(_, column)| column.head.clone())
+    }
+
+    /// The fault of a record with the cells `row`; `None` for a row that can be read.
+    pub fn row_fault<'a, S: AsRef<str>>(
+        &self,
+        record: &Record,
+        row: &'a [S],
+    ) -> Option<RowFault<'a>> {
+        if let Some(refusal) = record.unclosed() {
+            return Some(RowFault::Unreadable(refusal));
+        }
+        let labels = self.labels.as_ref();
+        let no_shot = labels.and_then(|labels| RowFault::of_export(row, &self.columns, labels));
+        no_shot.or_else(|| miscounted(row, self.columns.len()).map(RowFault::Unreadable))
     }
 
     /// True if a column is a parameter of swing, strike, club or impact.

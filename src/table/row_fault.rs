@@ -3,7 +3,7 @@
 use super::column::Column;
 use super::launch_monitor::words;
 use super::numbers::cell_number;
-use super::records::{Record, only_cell};
+use super::records::only_cell;
 use super::refusal::Refusal;
 use crate::units::counted;
 
@@ -19,35 +19,20 @@ pub(crate) enum RowFault<'a> {
 }
 
 impl<'a> RowFault<'a> {
-    /// The fault of a record with the cells `row`, in a table with `width` columns; `None` for a
-    /// row that can be read. `labels` are the labels of an export, `None` for another table.
-    /// `column` returns the column with an index, if its cells are read.
-    pub fn find<'c, S: AsRef<str>>(
-        record: &Record,
-        row: &'a [S],
-        width: usize,
-        labels: Option<&ShotLabels>,
-        column: impl Fn(usize) -> Option<&'c Column>,
-    ) -> Option<Self> {
-        if let Some(refusal) = record.unclosed() {
-            return Some(Self::Unreadable(refusal));
-        }
-        let no_shot = labels.and_then(|labels| Self::of_export(row, labels, column));
-        no_shot.or_else(|| miscounted(row, width).map(Self::Unreadable))
-    }
-
     /// Classifies a row of an export; `None` for a row that may hold a shot.
-    fn of_export<'c, S: AsRef<str>>(
+    pub fn of_export<S: AsRef<str>>(
         row: &'a [S],
+        columns: &[Column],
         labels: &ShotLabels,
-        column: impl Fn(usize) -> Option<&'c Column>,
     ) -> Option<Self> {
         // `60°` is a value in a column of angles, but the title of a wedge elsewhere
         let is_value = |column: &Column, cell: &str| {
-            cell_number(cell, column.format.has_decimal_comma()).is_some()
+            column.quantity().is_some()
+                && cell_number(cell, column.format.has_decimal_comma()).is_some()
         };
         let is_number = |(at, cell): &(usize, &str)| {
-            cell.parse::<f64>().is_ok() || column(*at).is_some_and(|column| is_value(column, cell))
+            let column = columns.get(*at);
+            cell.parse::<f64>().is_ok() || column.is_some_and(|column| is_value(column, cell))
         };
         match only_cell(row).filter(|only| !is_number(only)) {
             Some((_, title)) => Some(Self::Title(title)),
@@ -327,7 +312,7 @@ fn is_number_or_date(cell: &str) -> bool {
 
 /// Refusal of a row that has fewer cells than `heads`, the number of column heads, or a filled cell
 /// beyond them.
-fn miscounted<S: AsRef<str>>(row: &[S], heads: usize) -> Option<Refusal> {
+pub(super) fn miscounted<S: AsRef<str>>(row: &[S], heads: usize) -> Option<Refusal> {
     let filled = row
         .iter()
         .rposition(|cell| !cell.as_ref().is_empty())

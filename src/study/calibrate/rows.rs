@@ -97,13 +97,7 @@ impl ShotRows {
     pub fn take(&mut self, reading: &Reading, record: &Record, separator: u8) -> Result<()> {
         self.row += 1;
         let row = cells(&record.text, separator);
-        let columns = &reading.head.columns;
-        let column = |at: usize| {
-            let column = columns.get(at)?;
-            column.quantity().map(|_| column)
-        };
-        let fault = RowFault::find(record, &row, columns.len(), reading.head.labels.as_ref(), column);
-        if let Some(fault) = fault {
+        if let Some(fault) = reading.head.row_fault(record, &row) {
             if let RowFault::Title(title) = fault {
                 self.title = Some(title.into());
             }
@@ -291,7 +285,8 @@ impl ShotRows {
         }
         let counts = counted_values(&self.clubs);
         let mut readings = self.sections.iter().map(|section| &section.reading);
-        let head = readings.find_map(|reading| Some(&reading.head.columns[reading.club_name?].head));
+        let head =
+            readings.find_map(|reading| Some(&reading.head.columns[reading.club_name?].head));
         let Some(head) = head else {
             let file = &self.file;
             let warning = match self.title {

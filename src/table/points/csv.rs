@@ -1,12 +1,11 @@
 use super::columns::PointColumns;
 use super::rows::PointRows;
-use crate::error::{Error, Result};
-use crate::parameters::{Parameter, Setup};
-use crate::table::column::Column;
+use crate::error::Result;
+use crate::parameters::Setup;
 use crate::table::export_columns::columns_remark;
 use crate::table::head::{TableHead, remark_from_line};
 use crate::table::records::{Record, cells};
-use crate::table::row_fault::{NonShotRows, RowFault, ShotLabels};
+use crate::table::row_fault::NonShotRows;
 use crate::table::table_use::TableUse;
 use crate::table::text::{SourceName, TableEntry, Text, TextTable};
 use crate::units::Message;
@@ -20,22 +19,15 @@ pub(super) struct CsvRows {
     setup: Setup<f64>,
     table: TextTable,
     columns: PointColumns,
-    section: CsvSection,
+    /// The column heads of the current section.
+    head: TableHead,
+    /// Indices of the columns to read in this section.
+    at: Vec<usize>,
     /// Remarks on later sections.
     section_notes: Vec<Message>,
     /// Number of the row below the column heads, from 1. Averages and titles count too.
     row: u64,
     no_shots: NonShotRows,
-}
-
-struct CsvSection {
-    /// Number of cells of a row.
-    width: usize,
-    /// Columns to read, with their positions.
-    read: Vec<(usize, Column)>,
-    /// The columns that say which shot a row of an export is; `None` for another table. Rows of an
-    /// export with averages or titles are skipped.
-    labels: Option<ShotLabels>,
 }
 
 impl CsvRows {
@@ -49,14 +41,15 @@ impl CsvRows {
         let text = Text::of_file(path)?;
         let (table, mut head) = TextTable::open(text, setup, TableUse::Points)?;
         let columns = PointColumns::new(setup, &table.name, &mut head)?;
-        let section = CsvSection::new(&table.name, &head, &columns.parameters, &columns.at)?;
+        check_units(&table.name, &head, &columns.at)?;
         let (path, setup) = (path.to_owned(), *setup);
         Ok(Self {
             path,
             setup,
             table,
+            at: columns.at.clone(),
             columns,
-            section,
+            head,
             section_notes: vec![],
             row: 0,
             no_shots: NonShotRows::default(),
@@ -79,7 +72,7 @@ impl CsvRows {
             );
             file.refused(String::new(), reason)
         })?;
-        self.section = CsvSection::new(file, &head, parameters, &at)?;
+        check_units(file, &head, &at)?;
         let others = own.at.iter().filter(|place| !at.contains(place));
         let others: Vec<&str> = others.map(|at| head.columns[*at].head.as_str()).collect();
         let what = "columns not read, since the first column heads lack them";
@@ -90,6 +83,7 @@ impl CsvRows {
             .chain(columns_remark(what, &others));
         let notes = notes.map(|note| remark_from_line(record.line, &note));
         self.section_notes.extend(notes);
+        (self.head, self.at) = (head, at);
         Ok(())
     }
 
@@ -107,16 +101,7 @@ impl CsvRows {
             };
             self.row += 1;
             let row = cells(&record.text, self.table.separator);
-            let CsvSection {
-                width,
-                read,
-                labels,
-            } = &self.section;
-            let column = |at: usize| {
-                let (_, column) = read.iter().find(|(own, _)| *own == at)?;
-                Some(column)
-            };
-            let Some(fault) = RowFault::find(&record, &row, *width, labels.as_ref(), column) else {
+            let Some(fault) = self.head.row_fault(&record, &row) else {
                 return Ok(Some(row.into_iter().map(Into::into).collect()));
             };
             self.no_shots.add(self.row, fault).map_err(|refusal| {
@@ -127,27 +112,14 @@ impl CsvRows {
     }
 }
 
-impl CsvSection {
-    fn new(
-        file: &SourceName,
-        head: &TableHead,
-        parameters: &[&'static Parameter],
-        at: &[usize],
-    ) -> Result<Self> {
-        let mut read = Vec::with_capacity(parameters.len());
-        for at in at {
-            let column = head.columns[*at].clone();
-            column.check_unit().map_err(|error: Error| {
-                file.refused(format!(", column {}", at + 1), error.to_string())
-            })?;
-            read.push((*at, column));
-        }
-        Ok(Self {
-            width: head.heads.len(),
-            read,
-            labels: head.labels.clone(),
-        })
+/// Checks the units of the columns `at`.
+fn check_units(file: &SourceName, head: &TableHead, at: &[usize]) -> Result<()> {
+    for at in at {
+        head.columns[*at]
+            .check_unit()
+            .map_err(|error| file.refused(format!(", column {}", at + 1), error.to_string()))?;
     }
+    Ok(())
 }
 
 impl PointRows for CsvRows {
@@ -171,8 +143,8 @@ impl PointRows for CsvRows {
             let Some(row) = self.cells()? else {
                 return Ok(count);
             };
-            for (at, column) in &self.section.read {
-                let cell = row[*at].as_str();
+            for at in &self.at {
+                let (cell, column) = (row[*at].as_str(), &self.head.columns[*at]);
                 let wrong = |reason| {
                     let place = format!(", row {}, column {}", self.row, column.head);
                     self.table.name.refused(place, reason)
