@@ -162,7 +162,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         write(folder, &report, system())?;
         report.folder = Some(folder.path.display().to_string());
     }
-    let answer = Answer::report(&report, &request.origin_of_shots(), request.is_json);
+    let answer = Answer::report(&report, &request.origin_of_shots());
     Ok(answer.found(is_found))
 }
 

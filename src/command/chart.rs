@@ -1,7 +1,8 @@
 use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{
-    Answer, note, note_detail, note_error, once_a_second, spinner, stated_system, system, warn,
+    Answer, is_json, note, note_detail, note_error, once_a_second, spinner, stated_system, system,
+    warn,
 };
 use crate::command::search::DriveSearch;
 use crate::optimize::Iteration;
@@ -68,9 +69,9 @@ pub fn run(args: &Args) -> Result<Answer> {
                 ended: Some(error.message()),
                 interrupted: is_interrupted,
             };
-            let answer = if request.is_json {
+            let answer = if is_json() {
                 let report = ChartReport::new(&none, search);
-                Answer::report(&report, &origin, true)
+                Answer::report(&report, &origin)
             } else {
                 Answer::text(String::new())
             };
@@ -86,7 +87,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         }
         Answer::text(report.csv(stated_system().into())?)
     } else {
-        Answer::report(&report, &origin, request.is_json)
+        Answer::report(&report, &origin)
     };
     Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
 }

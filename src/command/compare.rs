@@ -78,7 +78,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         }
     }
     let report = ComparisonReport::new(&comparison, &each, requests.each_ref().map(Request::title));
-    Ok(Answer::report(&report, &origin, is_json).found(is_complete))
+    Ok(Answer::report(&report, &origin).found(is_complete))
 }
 
 /// The advice on the loft of the first drive that needs it. There is no title: the answer itself

@@ -152,7 +152,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         .and_then(|found| found.as_ref().ok());
     let is_table = args.shots.is_some();
     let report = DeliveryReport::new(&found.all, population, is_table, found.left_out);
-    let answer = Answer::report(&report, &SetupOrigin::default(), args.json);
+    let answer = Answer::report(&report, &SetupOrigin::default());
     Ok(answer.found(is_found))
 }
 

@@ -95,7 +95,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         .with_held(&kept, &found.setup)
         .with_stated(&swings_args.end_of_title());
     let designed = Designed::new(found.report(), &design, &found.setup, improvements, notes);
-    let answer = Answer::report(&designed, &origin, request.is_json);
+    let answer = Answer::report(&designed, &origin);
     Ok(answer.found(found.optima.is_found()))
 }
 

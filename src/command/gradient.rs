@@ -82,6 +82,6 @@ pub fn run(args: &Args) -> Result<Answer> {
 
     let found: Vec<_> = of.into_iter().zip(each).collect();
     let report = GradientReport::new(&found, &wrt);
-    let answer = Answer::report(&report, &request.origin(), request.is_json);
+    let answer = Answer::report(&report, &request.origin());
     Ok(answer.found(is_complete))
 }

@@ -15,5 +15,5 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Answer> {
     let report = LawsReport::new(args.own.law()?);
-    Ok(Answer::report(&report, &SetupOrigin::default(), args.json))
+    Ok(Answer::report(&report, &SetupOrigin::default()))
 }

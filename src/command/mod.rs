@@ -78,6 +78,7 @@ mod swings;
 #[cfg(feature = "cli")]
 mod terminal;
 mod uncertainty;
+mod usage;
 mod validate;
 mod verify;
 mod width;

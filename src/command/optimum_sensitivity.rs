@@ -76,7 +76,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let windows = analysis.map(OptimumAnalysis::windows);
     let search = OptimizeReport::new(&optima, None, windows, written);
     let report = SensitivityReport::new(search, analysis, reason.as_ref());
-    let answer = Answer::report(&report, &drive.origin(&request), request.is_json);
+    let answer = Answer::report(&report, &drive.origin(&request));
     Ok(answer.found(analysis.is_some_and(OptimumAnalysis::is_answered)))
 }
 

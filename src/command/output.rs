@@ -1,13 +1,10 @@
-use super::host::MessageKind;
-use super::host::{Progress, Work};
-use super::mention::commands_with;
+use super::host::{MessageKind, Progress, Work};
 use super::running::running;
-use super::wording::{advice_on, in_host_syntax, name_in_host_syntax};
+use super::wording::in_host_syntax;
 use crate::lock::lock;
-use crate::report::{Document, Empty, Reply, Report, SetupOrigin, TextOptions};
+use crate::report::{Document, Reply, Report, SetupOrigin, TextOptions};
 use crate::units::{Message, System};
 use crate::{Error, Result};
-use clap::error::{ContextKind, ContextValue, ErrorKind};
 use serde::Serialize;
 use serde_json::Value;
 use std::ffi::OsStr;
@@ -19,6 +16,11 @@ use std::time::{Duration, Instant};
 /// The units that `--units` states; `None` without this option.
 pub fn stated_system() -> Option<System> {
     running().options.units
+}
+
+/// True for an answer in JSON.
+pub fn is_json() -> bool {
+    running().is_json
 }
 
 /// The units of the results.
@@ -96,14 +98,19 @@ impl Answer {
     }
 
     /// An answer without a result, as JSON.
-    pub fn none(reply: Reply<Empty>) -> Self {
-        let warnings = lock(&running().early).clone();
-        Self::of_value(value_of(&Reply { warnings, ..reply }))
+    pub fn none(status: &'static str, message: String) -> Self {
+        let running = running();
+        let refused = Reply::refused(running.command, status, message);
+        let warnings = lock(&running.early).clone();
+        Self::of_value(value_of(&Reply {
+            warnings,
+            ..refused
+        }))
     }
 
     /// The report of a command about a setup, as JSON or as text.
-    pub fn report(report: &impl Report, origin: &SetupOrigin, is_json: bool) -> Self {
-        if is_json {
+    pub fn report(report: &impl Report, origin: &SetupOrigin) -> Self {
+        if is_json() {
             return Self::json(&Reply::of(report, warnings()).about(origin));
         }
         let mut document = report.document(system());
@@ -209,183 +216,18 @@ pub fn say_error(message: &str) {
 
 /// Reports an error and returns the exit status: 1 for a valid request without an answer, 2 for bad
 /// input. With `--json`, standard output also contains the error.
-pub fn complain(error: &Error, command: Option<&'static str>, is_json: bool) -> u8 {
+pub fn complain(error: &Error) -> u8 {
     note_error(error);
     // after an output error, no further output
-    if is_json && !matches!(error, Error::Output(_)) {
-        say(Reply::refused(command, error.status(), error.to_string()));
+    if is_json() && !matches!(error, Error::Output(_)) {
+        print_refusal(error.status(), error.to_string());
     }
     if error.has_valid_input() { 1 } else { 2 }
 }
 
-/// Reports an error in the arguments, or shows the help.
-pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: bool) -> u8 {
-    if error.kind() == ErrorKind::InvalidUtf8 {
-        return complain(&not_utf8(), command, is_json);
-    }
-    in_own_words(&mut error);
-    add_subcommands(&mut error);
-    let rendered = error.render();
-    let shown = in_host_syntax(&rendered.ansi().to_string());
-    if !error.use_stderr() {
-        return match running().host.print(&shown) {
-            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-                complain(&Error::Output(error), command, false)
-            }
-            _ => 0,
-        };
-    }
-    running().host.say(MessageKind::Usage, &shown);
-    if is_json {
-        let text = rendered.to_string();
-        let text = text.split("\n\nUsage:").next().unwrap_or_default();
-        let text = text
-            .split("\n\nFor more information")
-            .next()
-            .unwrap_or_default();
-        let message = text.trim().trim_start_matches("error:").trim();
-        let message = with_named_arguments(message, &error);
-        say(Reply::refused(command, "error", message));
-    }
-    u8::try_from(error.exit_code()).unwrap_or(2)
-}
-
-fn not_utf8() -> Error {
-    let running = running();
-    let mut words = running.words.iter();
-    let word = words.find(|word| word.to_str().is_none());
-    let name = word.map_or("an argument".into(), |word| word.to_string_lossy());
-    let source = "its name is not UTF-8, and setups are named in UTF-8; rename the file, or give \
-                  its text on standard input, as in longdrive simulate - < FILE";
-    Error::unreadable(name, source)
-}
-
-/// The parser's message with argument names in the syntax of the command's `Host`: `--width
-/// <PIXELS>` for the program, `width` for Python.
-fn with_named_arguments(message: &str, error: &clap::Error) -> String {
-    let mut message = message.to_owned();
-    for kind in [ContextKind::InvalidArg, ContextKind::PriorArg] {
-        let names = match error.get(kind) {
-            Some(ContextValue::String(name)) => std::slice::from_ref(name),
-            Some(ContextValue::Strings(names)) => names,
-            _ => &[],
-        };
-        for name in names {
-            if let Some(words) = name_in_host_syntax(name) {
-                message = message.replace(name, &words);
-            }
-        }
-    }
-    message
-}
-
-/// The maximum edit distance between a typed option and a suggested option, relative to the length
-/// of the suggested option. A distance of 1 is always allowed.
-const MOST_DIFFERENT: f64 = 0.3;
-
-/// True for a misspelling of an option: `--threds` of `--threads`, and not `--over` of
-/// `--overwrite`.
-fn is_misspelt(argument: &str, option: &str) -> bool {
-    let [typed, known] = [argument, option].map(|text| text.trim_start_matches('-'));
-    let different = strsim::damerau_levenshtein(typed, known) as f64;
-    different <= (MOST_DIFFERENT * known.len() as f64).max(1.0)
-}
-
-/// The tip about an option that this command does not have. It names the commands that have the
-/// option.
-fn tip_of_unknown_option(argument: &str) -> String {
-    let name = argument.split('=').next().unwrap_or(argument);
-    let commands = commands_with(running().program, name.trim_start_matches('-'));
-    let others = match commands.len() {
-        0 | 6.. => String::new(),
-        _ => format!("; it is an option of {}", commands.join(", ")),
-    };
-    format!("this command has no option '{name}'{others}; --help lists those that it has")
-}
-
-/// Replaces the parser's tip about an unexpected argument. The parser takes an unknown option for a
-/// setup and advises `--`, or it suggests an option that only begins like the typed option.
-fn in_own_words(error: &mut clap::Error) {
-    let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else {
-        return;
-    };
-    let argument = argument.clone();
-    if let Some(ContextValue::String(option)) = error.get(ContextKind::SuggestedArg)
-        && !is_misspelt(&argument, option)
-    {
-        error.remove(ContextKind::SuggestedArg);
-        // remove the usage line: it would show the suggested option
-        error.remove(ContextKind::Usage);
-        let tip = tip_of_unknown_option(&argument);
-        error.insert(
-            ContextKind::Suggested,
-            ContextValue::StyledStrs(vec![tip.into()]),
-        );
-        return;
-    }
-    let is_taken_for_a_setup = match error.get(ContextKind::Suggested) {
-        Some(ContextValue::StyledStrs(tips)) => {
-            tips.len() == 1 && tips[0].to_string().contains("use '-- ")
-        }
-        _ => false,
-    };
-    // `-o`, unlike the value `-5deg`
-    let is_option = argument
-        .strip_prefix('-')
-        .is_some_and(|rest| rest.starts_with('-') || rest.starts_with(char::is_alphabetic));
-    let tip = if !argument.starts_with('-') {
-        advice_on(&argument)
-    } else if !is_taken_for_a_setup {
-        None
-    } else if is_option {
-        Some(tip_of_unknown_option(&argument))
-    } else {
-        Some(format!(
-            "a value that begins with a hyphen is joined to its option by '=', as in \
-             --set=NAME={argument}"
-        ))
-    };
-    if let Some(tip) = tip {
-        error.insert(
-            ContextKind::Suggested,
-            ContextValue::StyledStrs(vec![tip.into()]),
-        );
-    }
-}
-
-/// Adds the subcommands of a command to the error about an unknown one, unless the parser suggests
-/// one: `plot` takes the kind of the plot before the setup.
-fn add_subcommands(error: &mut clap::Error) {
-    let is_unknown = error.kind() == ErrorKind::InvalidSubcommand;
-    if !is_unknown || error.get(ContextKind::SuggestedSubcommand).is_some() {
-        return;
-    }
-    let running = running();
-    let is_typed = |command: &&clap::Command| {
-        let name = command.get_name();
-        command.has_subcommands() && running.words.iter().any(|word| word == name)
-    };
-    let Some(command) = running.program.get_subcommands().find(is_typed) else {
-        return;
-    };
-    let names: Vec<_> = command
-        .get_subcommands()
-        .map(clap::Command::get_name)
-        .collect();
-    let tip = format!(
-        "one of these comes after '{}': {}",
-        command.get_name(),
-        names.join(", ")
-    );
-    error.insert(
-        ContextKind::Suggested,
-        ContextValue::StyledStrs(vec![tip.into()]),
-    );
-}
-
-/// Prints an answer without a result.
-fn say(reply: Reply<Empty>) {
-    let _ = running().host.print(&Answer::none(reply).text);
+/// Prints an answer without a result, as JSON. Ignores an error of the output.
+pub fn print_refusal(status: &'static str, message: String) {
+    let _ = Answer::none(status, message).print();
 }
 
 /// The progress of countable parts; `of` is their name in plural.

@@ -35,7 +35,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     // add the warnings of the setup to the JSON, without printing them
     lock(&running().warnings).extend(setup.warnings());
     let origin = request.origin();
-    Ok(Answer::report(&report, &origin, args.json))
+    Ok(Answer::report(&report, &origin))
 }
 
 impl Args {

@@ -119,7 +119,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let is_whole = report.ending().status == "done";
     let GoalArgs { vary, swings, .. } = &args.goals;
     let origin = request.origin_with_held(vary, &found.search.vary, &setup, swings)?;
-    let answer = Answer::report(&report, &origin, request.is_json);
+    let answer = Answer::report(&report, &origin);
     Ok(answer.found(is_whole))
 }
 
@@ -145,7 +145,7 @@ pub fn draw(setup_args: &SetupArgs, args: &GoalArgs, drawing: &PictureArgs) -> R
     // the subtitle has the stated values, not the time step that is chosen for the tolerance
     let (setup, preset) = (&request.partial_setup, request.source.content.preset);
     let figure = pareto_figure(&found, setup, preset, system());
-    target.write(request.is_json, &figure, warnings)
+    target.write(&figure, warnings)
 }
 
 /// Follows the front, until `stop` is true.

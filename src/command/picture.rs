@@ -2,7 +2,7 @@
 
 use crate::command::args::{stated, whole};
 use crate::command::files::{Destination, OutputRule, ending};
-use crate::command::output::{Answer, note, stated_system, system, warn, warnings};
+use crate::command::output::{Answer, is_json, note, stated_system, system, warn, warnings};
 #[cfg(not(feature = "png"))]
 use crate::features::how_to_get;
 use crate::report::plot::{Figure, Look, figure_csv, figure_svg};
@@ -126,7 +126,7 @@ impl<'a> PlotDestination<'a> {
     }
 
     /// Writes the plot and reports the warnings about its drives.
-    pub fn write(&self, is_json: bool, figure: &Figure, of_drives: Vec<Message>) -> Result<Answer> {
+    pub fn write(&self, figure: &Figure, of_drives: Vec<Message>) -> Result<Answer> {
         let drawing = self.drawing;
         warn(of_drives);
         let look = Look {
@@ -142,7 +142,7 @@ impl<'a> PlotDestination<'a> {
         };
         let file = drawing.output.display().to_string();
         self.destination.write(&bytes)?;
-        if !is_json && !self.origin.advice.is_empty() {
+        if !is_json() && !self.origin.advice.is_empty() {
             note(&self.origin.advice);
         }
         note(&format!("{file}: {}", figure.title));
@@ -150,7 +150,7 @@ impl<'a> PlotDestination<'a> {
             note(&figure.note);
         }
         let is_complete = self.ending.message.is_none();
-        let answer = if is_json {
+        let answer = if is_json() {
             let body = PlotFile {
                 name: &figure.name,
                 file,

@@ -1,5 +1,5 @@
 use crate::Result;
-use crate::command::output::Answer;
+use crate::command::output::{Answer, is_json};
 use crate::report::{PresetsReport, SetupOrigin, preset_toml};
 
 #[derive(clap::Args)]
@@ -14,9 +14,9 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> Result<Answer> {
-    if let (Some(name), false) = (&args.name, args.json) {
+    if let (Some(name), false) = (&args.name, is_json()) {
         return Ok(Answer::text(preset_toml(name)?));
     }
     let report = PresetsReport::new(args.name.as_deref())?;
-    Ok(Answer::report(&report, &SetupOrigin::default(), args.json))
+    Ok(Answer::report(&report, &SetupOrigin::default()))
 }

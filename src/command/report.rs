@@ -4,7 +4,9 @@ use crate::command::explore::page::compiled_in;
 use crate::command::files::OutputRule;
 use crate::command::host::Progress;
 use crate::command::names::sigmas;
-use crate::command::output::{Answer, bar, command_line, note, system, text_of, warn, warnings};
+use crate::command::output::{
+    Answer, bar, command_line, is_json, note, system, text_of, warn, warnings,
+};
 use crate::command::plot::{counted_points, limits};
 use crate::command::request::Request;
 use crate::command::running::running;
@@ -205,7 +207,7 @@ fn answer(args: &Args, origin: &SetupOrigin, findings: &Findings, files: Vec<&st
     let own = &findings.flown[0].drive;
     let missing = findings.found.as_ref();
     let missing = missing.filter(|_| findings.best().is_none());
-    let answer = if args.setup_args.json {
+    let answer = if is_json() {
         let ending = match (&own.flight, missing) {
             (Flight::None(why), _) => Ending {
                 status: why.status(),

@@ -1,6 +1,6 @@
 use crate::Result;
 use crate::command::files::{Folder, OutputRule};
-use crate::command::output::{Answer, note, stated_system, text_of, warnings};
+use crate::command::output::{Answer, is_json, note, stated_system, text_of, warnings};
 use crate::report::{
     InBoth, Mae494Report, Reply, Report, TextFile, WinfieldTanReport, document_files,
 };
@@ -51,12 +51,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     match args.study {
         PublishedStudy::Mae494 => {
             let found = mae494(computing)?;
-            answer(
-                &Mae494Report::new(&found),
-                Mae494::UNITS,
-                folder.as_ref(),
-                args.json,
-            )
+            answer(&Mae494Report::new(&found), Mae494::UNITS, folder.as_ref())
         }
         PublishedStudy::WinfieldTan => {
             let found = winfield_tan(computing)?;
@@ -64,7 +59,6 @@ pub fn run(args: &Args) -> Result<Answer> {
                 &WinfieldTanReport::new(&found),
                 WinfieldTan::UNITS,
                 folder.as_ref(),
-                args.json,
             )
         }
     }
@@ -72,17 +66,12 @@ pub fn run(args: &Args) -> Result<Answer> {
 
 /// Writes the report of a study if a folder is given, and returns the answer. The default units are
 /// the study's.
-fn answer(
-    report: &impl Report,
-    units: System,
-    folder: Option<&Folder>,
-    is_json: bool,
-) -> Result<Answer> {
+fn answer(report: &impl Report, units: System, folder: Option<&Folder>) -> Result<Answer> {
     let system = stated_system().unwrap_or(units);
     if let Some(folder) = folder {
         write(folder, report, system)?;
     }
-    if is_json {
+    if is_json() {
         return Ok(Answer::json(&Reply::of(report, warnings())));
     }
     Ok(Answer::text(text_of(&report.document(system))))

@@ -105,7 +105,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     report.file = written;
     let origin =
         request.origin_with_held(&args.search.vary, &found.search.vary, &setup, &args.swings)?;
-    let answer = Answer::report(&report, &origin, request.is_json);
+    let answer = Answer::report(&report, &origin);
     Ok(answer.found(is_found))
 }
 

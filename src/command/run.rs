@@ -1,12 +1,12 @@
 //! Runs command lines and requests.
 
-use super::args::OutputOptions;
 use super::call::{Call, with_degrees};
 use super::host::Host;
-use super::output::{Answer, complain, explain};
-use super::running::within;
+use super::output::{Answer, complain};
+use super::running::{Running, within};
 #[cfg(feature = "cli")]
 use super::terminal::Terminal;
+use super::usage::explain;
 use super::wording::with_argument;
 use super::{Program, named_in, program};
 use crate::Error;
@@ -40,38 +40,55 @@ pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
 pub fn call(call: &Call, host: Arc<dyn Host>) -> u8 {
     match call.command_line() {
         Ok(line) => run_words(line.words, host, &line.bare_angles),
-        Err(error) => within(program(), host, OutputOptions::default(), &[], || {
-            complain(&error, None, true)
-        }),
+        Err(error) => {
+            let running = Running {
+                program: program(),
+                host,
+                is_json: true,
+                ..Running::default()
+            };
+            within(running, || complain(&error))
+        }
     }
 }
 
 /// Runs a command line. `bare_angles` are the angles, rad, that the request gave without a unit.
 fn run_words(words: Vec<OsString>, host: Arc<dyn Host>, bare_angles: &[f64]) -> u8 {
-    let request = match Program::read(&words) {
+    let read = Program::read(&words);
+    let words = words.into_iter().skip(1).collect::<Vec<_>>();
+    let request = match read {
         Ok(request) => request,
         Err(error) => {
-            let command = named_in(words.get(1..).unwrap_or_default());
-            let is_json = words.iter().any(|word| word == "--json");
-            return within(program(), host, OutputOptions::default(), &words, || {
-                explain(error, command, is_json)
-            });
+            let running = Running {
+                program: program(),
+                host,
+                command: named_in(&words),
+                is_json: words.iter().any(|word| word == "--json"),
+                words,
+                ..Running::default()
+            };
+            return within(running, || explain(error));
         }
     };
-    let Program { name, is_json, .. } = request;
-    host.begin(name, is_json);
+    host.begin(request.name, request.is_json);
     let files = host.files();
+    let running = Running {
+        program: program(),
+        host,
+        command: Some(request.name),
+        is_json: request.is_json,
+        options: request.output.clone(),
+        words,
+        ..Running::default()
+    };
     let work = || match request.command.answer().and_then(Answer::print) {
         Ok(status) => status,
         // a broken pipe, as in `longdrive … | head`, is not an error
         Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => 0,
         Err(error) => {
             let error = with_degrees(with_argument(error), bare_angles);
-            complain(&error, Some(name), is_json)
+            complain(&error)
         }
     };
-    let options = request.output.clone();
-    within(program(), host, options, &words, || {
-        with_memory_files(files, work)
-    })
+    within(running, || with_memory_files(files, work))
 }

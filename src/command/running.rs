@@ -16,6 +16,10 @@ pub struct Running {
     /// The program, with the options of all commands.
     pub program: &'static Command,
     pub host: Arc<dyn Host>,
+    /// The name of the command; `None` if the command line names none.
+    pub command: Option<&'static str>,
+    /// True for an answer in JSON.
+    pub is_json: bool,
     pub options: OutputOptions,
     /// The arguments, without the name of the program.
     pub words: Vec<OsString>,
@@ -26,7 +30,7 @@ pub struct Running {
     /// Parameters that the answer leaves out, with the reasons.
     pub left_out: Mutex<Vec<String>>,
     /// The text of the setup named `-`, after its first use.
-    input: Mutex<Option<Arc<str>>>,
+    pub input: Mutex<Option<Arc<str>>>,
 }
 
 thread_local! {
@@ -36,20 +40,7 @@ thread_local! {
 }
 
 /// Runs `work` as a command of this thread.
-pub fn within<T>(
-    program: &'static Command,
-    host: Arc<dyn Host>,
-    options: OutputOptions,
-    words: &[OsString],
-    work: impl FnOnce() -> T,
-) -> T {
-    let running = Running {
-        program,
-        host,
-        options,
-        words: words.get(1..).unwrap_or_default().to_vec(),
-        ..Running::default()
-    };
+pub fn within<T>(running: Running, work: impl FnOnce() -> T) -> T {
     with_innermost(&RUNNING, Arc::new(running), work)
 }
 
@@ -69,6 +60,8 @@ impl Default for Running {
         Self {
             program: &NO_COMMAND,
             host: Arc::new(()),
+            command: None,
+            is_json: false,
             options: OutputOptions::default(),
             words: vec![],
             early: Mutex::default(),

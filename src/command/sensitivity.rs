@@ -72,7 +72,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(slopes.iter().flat_map(|slopes| missing_slopes(slopes)));
     let totals = slopes.as_deref().unwrap_or_default();
     let report = EffectsReport::new(&found, best.as_ref(), totals);
-    Ok(Answer::report(&report, &origin, request.is_json))
+    Ok(Answer::report(&report, &origin))
 }
 
 /// The drive whose slopes and effects are computed.

@@ -11,6 +11,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(setup.drive_warnings(Outcome::ALL));
     let drive = Drive::new(&setup)?;
     let report = DriveReport::new(&setup, &drive);
-    let answer = Answer::report(&report, &request.origin(), request.is_json);
+    let answer = Answer::report(&report, &request.origin());
     Ok(answer.found(matches!(drive.flight, Flight::Landed(_))))
 }

@@ -258,7 +258,7 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     let origin = request
         .origin_of_search(&found.optima.best.search.vary)
         .with_stated(&args.swings.end_of_title());
-    let answer = Answer::report(&found.report(), &origin, request.is_json);
+    let answer = Answer::report(&found.report(), &origin);
     Ok(answer.found(found.optima.is_found()))
 }
 

@@ -86,7 +86,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         .iter()
         .all(|outcome| outcome.monte_carlo.is_some());
     let report = UncertaintyReport::new(&found);
-    let answer = Answer::report(&report, &request.origin(), request.is_json);
+    let answer = Answer::report(&report, &request.origin());
     Ok(answer.found(is_found))
 }
 

@@ -56,5 +56,5 @@ pub fn run(args: &Args) -> Result<Answer> {
     if args.csv {
         return Ok(Answer::text(report.csv(stated_system().into())?));
     }
-    Ok(Answer::report(&report, &SetupOrigin::default(), args.json))
+    Ok(Answer::report(&report, &SetupOrigin::default()))
 }

@@ -71,6 +71,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     // a Ctrl-C before this line stops the work, and the command still prints its answer
     drop(work);
     let report = CertificateReport::new(&certificate, &loops);
-    let answer = Answer::report(&report, &request.origin(), request.is_json);
+    let answer = Answer::report(&report, &request.origin());
     Ok(answer.found(certificate.passed()))
 }

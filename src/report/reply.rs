@@ -168,17 +168,14 @@ impl Reply<Empty> {
 
     /// The reply that has only a message.
     pub fn refused(command: Option<&'static str>, status: &'static str, message: String) -> Self {
+        let ending = Ending {
+            status,
+            message: Some(message),
+        };
         Self {
             command,
-            ending: Ending {
-                status,
-                message: Some(message),
-            },
-            warnings: vec![],
-            from: None,
-            held: vec![],
-            advice: String::new(),
-            body: Empty {},
+            ending,
+            ..Self::done("", vec![], Empty {})
         }
     }
 }

@@ -5,7 +5,7 @@ use super::request::{flying_within_tolerance, requested_outcomes, setup};
 use crate::batch::Status;
 use crate::command::interrupt;
 use crate::command::listener::Listener;
-use crate::command::output::{Answer, note, warnings};
+use crate::command::output::{Answer, is_json, note, warnings};
 use crate::command::request::Request;
 use crate::parameters::{DEFAULT_PRESET, Golfer};
 use crate::report::{Reply, open_connect_answer};
@@ -75,7 +75,7 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
     counts.connections = listener.serve(stop, TOO_MANY, |stream| {
         serve(stream, &flying, setup.golfer, stop, &counts)
     });
-    Ok(if request.is_json {
+    Ok(if is_json() {
         Answer::json(&Reply::done("fly", warnings(), &counts))
     } else {
         Answer::text(format!(

@@ -11,7 +11,7 @@ use crate::batch::Run;
 use crate::command::args::refuse_threads;
 use crate::command::files::{Destination, DestinationKind, OutputStream};
 use crate::command::interrupt;
-use crate::command::output::{Answer, note, note_each, say_error, system, text_of, warn};
+use crate::command::output::{Answer, is_json, note, note_each, say_error, system, text_of, warn};
 use crate::command::request::Request;
 use crate::command::rows_target::RowsTarget;
 use crate::drive::CheckScope;
@@ -48,7 +48,7 @@ fn fly(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let setup = setup(&request, &format!("the rows of {}", file.display()))?;
     let target = RowsTarget::new(&args.output, args.overwrite)?;
-    let format = format_of(args, target, request.is_json)?;
+    let format = format_of(args, target)?;
     let destination = destination(args, target, file, &request)?;
     let work = interrupt::enable("stopping after the rows under way");
     let filter = RowFilter::read(&args.only)?;
@@ -82,7 +82,7 @@ fn fly(args: &Args) -> Result<Answer> {
     warn_about_shots(&tally, &shots, &setup.law);
     let stopped = (!tally.is_complete).then(|| stopped(&tally, &destination));
     let nothing = nothing(&tally, &remarks);
-    if request.is_json {
+    if is_json() {
         warn(nothing.iter().cloned().map(Message::from));
     }
     Ok(answer(
@@ -293,7 +293,7 @@ fn answer(
         .filter(|_| stopped.is_none())
         .map(|file| file.display().to_string());
     let mut report = ShotsReport::new(tally, source, file, remarks);
-    if request.is_json {
+    if is_json() {
         let status = match (&stopped, &nothing) {
             (Some(_), _) => "interrupted",
             (None, Some(_)) => "no-answer",
@@ -303,7 +303,7 @@ fn answer(
             status,
             message: stopped.or(nothing),
         };
-        return Answer::report(&report, &request.origin_of_shots(), true).found(is_answered);
+        return Answer::report(&report, &request.origin_of_shots()).found(is_answered);
     }
     let mut document = report.document(system());
     request

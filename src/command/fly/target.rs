@@ -2,6 +2,7 @@
 
 use super::args::{Args, FlyFormat};
 use crate::command::files::{Destination, DestinationKind, OutputRule};
+use crate::command::output::is_json;
 use crate::command::request::Request;
 use crate::command::rows_target::{RowFormat, RowsTarget};
 use crate::command::running::running;
@@ -36,8 +37,8 @@ impl RowFormat for FlyFormat {
 /// # Errors
 /// [`Error::Together`] for `--format` with an answer in JSON and no file, because then no rows are
 /// written; the errors of [`RowsTarget::format`].
-pub fn format_of(args: &Args, target: RowsTarget<'_>, is_json: bool) -> Result<FlyFormat> {
-    if target.is_standard_output() && is_json && args.format.is_some() {
+pub fn format_of(args: &Args, target: RowsTarget<'_>) -> Result<FlyFormat> {
+    if target.is_standard_output() && is_json() && args.format.is_some() {
         return Err(Error::Together {
             given: "`format` with `json`".into(),
             reason: "an answer in JSON is a summary without rows; name a file for the rows with \
@@ -63,7 +64,7 @@ pub fn destination(
     request: &Request,
 ) -> Result<Destination> {
     if target.is_standard_output() {
-        return Ok(Destination::without_file(match request.is_json {
+        return Ok(Destination::without_file(match is_json() {
             true => DestinationKind::Nowhere,
             false => DestinationKind::StandardOutput,
         }));

@@ -38,7 +38,7 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     let figure = with_optimum(fairway_figure(&landings, system()), best.as_ref());
     let shown = [Outcome::Carry, Outcome::Lateral, Outcome::Total];
     let warnings = warnings(&setup, best.as_ref(), &shown);
-    target.write(request.is_json, &figure, warnings)
+    target.write(&figure, warnings)
 }
 
 pub fn launches(args: &PlotSearch) -> Result<Answer> {
@@ -56,7 +56,7 @@ pub fn launches(args: &PlotSearch) -> Result<Answer> {
     spinner.finish();
     let figure = with_optimum(launches_figure(&map, system()), best.as_ref());
     let warnings = warnings(&setup, best.as_ref(), &[Outcome::Carry]);
-    target.write(request.is_json, &figure, warnings)
+    target.write(&figure, warnings)
 }
 
 pub fn face(setup_args: &SetupArgs, drawing: &PictureArgs) -> Result<Answer> {
@@ -68,7 +68,7 @@ pub fn face(setup_args: &SetupArgs, drawing: &PictureArgs) -> Result<Answer> {
     let face = Face::of(&setup)?;
     spinner.finish();
     let warnings = warnings(&setup, None, &[Outcome::Carry]);
-    target.write(request.is_json, &face_figure(&face, system()), warnings)
+    target.write(&face_figure(&face, system()), warnings)
 }
 
 pub fn strikes(args: &PlotStrike) -> Result<Answer> {
@@ -116,7 +116,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
     let figure = with_optimum(figure, best.as_ref());
     let mut warnings = warnings(&setup, best.as_ref(), &Face::OUTCOMES);
     warnings.extend(difference_warnings);
-    target.write(request.is_json, &figure, warnings)
+    target.write(&figure, warnings)
 }
 
 /// The designs of a plot of strikes.

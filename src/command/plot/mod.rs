@@ -77,7 +77,7 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
         error => error,
     })?;
     let warnings = setup.drive_warnings(&[Outcome::Carry, Outcome::Total]);
-    target.write(request.is_json, &figure, warnings)
+    target.write(&figure, warnings)
 }
 
 fn contour(args: &PlotSearch) -> Result<Answer> {
@@ -117,7 +117,7 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
         region: region.as_ref(),
     };
     let warnings = drive::warnings(setup, best, &search.outcomes());
-    target.write(request.is_json, &map_figure(&map, &on, system()), warnings)
+    target.write(&map_figure(&map, &on, system()), warnings)
 }
 
 /// An optimum and the map around it.
@@ -197,7 +197,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let figure = figure_of(&figures, search, shown, &target)?;
     let warnings = [setup.drive_warnings(&[]), chart.warnings()].concat();
     let target = target.about(drive.origin(&request));
-    target.write(request.is_json, figure, warnings)
+    target.write(figure, warnings)
 }
 
 /// Counts the points of a chart in a progress bar.
@@ -281,7 +281,7 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
         );
         return Err(target.refused(reason));
     };
-    target.write(request.is_json, &figure, setup.drive_warnings(&[of]))
+    target.write(&figure, setup.drive_warnings(&[of]))
 }
 
 fn difference(args: &PlotCompare) -> Result<Answer> {
@@ -295,7 +295,7 @@ fn difference(args: &PlotCompare) -> Result<Answer> {
     }
     let warnings = comparison.warnings(&[of]);
     let figure = difference_figure(&comparison.of(of)?, system());
-    target.write(args.pair.setup_args.json, &figure, warnings)
+    target.write(&figure, warnings)
 }
 
 fn vcurve(args: &PlotVcurve) -> Result<Answer> {
@@ -323,7 +323,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     };
     let loops = while_loop(&setup, &certificate.rows);
     let figure = vcurve_figure(requested.filter_map(row), &loops);
-    target.write(request.is_json, &figure, setup.drive_warnings(&of))
+    target.write(&figure, setup.drive_warnings(&of))
 }
 
 fn laws(args: &PlotLaws) -> Result<Answer> {
@@ -363,7 +363,6 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
         requested.into_iter().map(named).collect()
     }?;
     target.write(
-        args.json,
         &laws_figure(&laws, &setup, args.over, constant, args.show),
         vec![],
     )

@@ -38,8 +38,6 @@ pub struct Request {
     pub partial_setup: Setup<f64>,
     /// The choice of method and step.
     step: StepChoice,
-    /// True for an answer in JSON.
-    pub is_json: bool,
 }
 
 /// Refuses parameters that a host states in the setup `content` without effect, as the commands do:
@@ -104,7 +102,6 @@ impl Request {
         let step = args.step()?;
         Ok(Self {
             step,
-            is_json: args.json,
             ..Self::of_drive(source, settings)?
         })
     }
@@ -121,7 +118,6 @@ impl Request {
             source,
             settings,
             step: StepChoice::default(),
-            is_json: false,
         };
         request.apply_settings()?;
         request.warn_of_replaced();

@@ -18,7 +18,7 @@ use crate::command::args::{refuse_threads, stated};
 use crate::command::files::refused;
 use crate::command::files::{Destination, DestinationKind};
 use crate::command::interrupt;
-use crate::command::output::{Answer, bar, note, say_error, stated_system, warn, warnings};
+use crate::command::output::{Answer, bar, is_json, note, say_error, warn, warnings};
 use crate::command::rows_target::RowsTarget;
 use crate::report::{Ending, Reply};
 use crate::units::{Message, counted};
@@ -104,19 +104,11 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
     }
     let nothing = (is_complete && !counts.has_any(batch.outcomes()))
         .then(|| no_outcome(&summary, batch.outcomes()));
-    let is_json = request.is_json;
-    Ok(answer(
-        is_json,
-        &summary,
-        &destination,
-        is_complete,
-        nothing,
-    ))
+    Ok(answer(&summary, &destination, is_complete, nothing))
 }
 
 /// The answer; `nothing` is the reason if no drive has an outcome.
 fn answer(
-    is_json: bool,
     summary: &SweepSummary,
     destination: &Destination,
     is_complete: bool,
@@ -132,7 +124,7 @@ fn answer(
     if is_answered && is_standard_output && !all_landed {
         note(&summary.text(None));
     }
-    let answer = if is_json {
+    let answer = if is_json() {
         let ending = match (is_complete, nothing) {
             (true, None) => Ending::DONE,
             (true, Some(nothing)) => Ending {

@@ -6,8 +6,7 @@ use crate::batch::{Batch, Points, Run, SweepDefinition};
 use crate::command::args::stated;
 use crate::command::files::{refused, unwritable};
 use crate::command::interrupt;
-use crate::command::output::{Answer, bar, note, system, text_of, warn, warnings};
-use crate::command::request::Request;
+use crate::command::output::{Answer, bar, is_json, note, system, text_of, warn, warnings};
 use crate::input_file::is_in_memory;
 use crate::parameters::DEFAULT_PRESET;
 use crate::parts::{self, Checked, Dataset, Manifest, PartResult};
@@ -61,12 +60,12 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
     let (manifest, is_new) = match written? {
         PartResult::New(manifest) => (manifest, true),
         PartResult::Existing(manifest) => (manifest, false),
-        PartResult::Stopped => return Ok(stopped(part, &request)),
+        PartResult::Stopped => return Ok(stopped(part)),
     };
     warn(manifest.part.summary.status_counts.warnings(&setup.law));
     let there = (!is_new)
         .then(|| "it existed already, complete and of the same sweep, and is kept".to_owned());
-    if request.is_json {
+    if is_json() {
         let body = WrittenPart {
             folder: folder.display().to_string(),
             manifest,
@@ -96,13 +95,13 @@ fn written_text(part: PartOf, folder: &Path, manifest: &Manifest, there: Option<
 }
 
 /// The answer for an interrupted part.
-fn stopped(PartOf { part, parts }: PartOf, request: &Request) -> Answer {
+fn stopped(PartOf { part, parts }: PartOf) -> Answer {
     let message = format!(
         "stopped: nothing of part {part} of {parts} is kept; the same command begins it again"
     );
     note(&message);
-    let answer = if request.is_json {
-        Answer::none(Reply::refused(Some("sweep"), "interrupted", message))
+    let answer = if is_json() {
+        Answer::none("interrupted", message)
     } else {
         Answer::text(String::new())
     };
@@ -156,7 +155,7 @@ pub fn check(args: &Args, folder: &Path) -> Result<Answer> {
         return Err(refused(folder, reason));
     }
     let (is_complete, lines) = (checked.is_complete(), sentences(&checked));
-    if args.setup_args.json {
+    if is_json() {
         let ending = match is_complete {
             true => Ending::DONE,
             false => Ending {

@@ -6,6 +6,7 @@ use super::resumable::{ResumableFile, refuse_unfinished_sweep};
 use super::rows::{FormattedRows, RowFormatter};
 use crate::batch::StatusCounts;
 use crate::command::files::{Destination, DestinationKind, OutputRule, OutputStream, refused};
+use crate::command::output::is_json;
 use crate::command::request::Request;
 use crate::command::rows_target::{RowFormat, RowsTarget};
 use crate::external_errors::write_error_text;
@@ -36,7 +37,7 @@ impl RowFormat for SweepFormat {
 pub fn destination(args: &Args, request: &Request, target: RowsTarget<'_>) -> Result<Destination> {
     let refuse = |reason: &str| Err(refused(target.0, reason));
     let is_standard = target.is_standard_output();
-    if is_standard && request.is_json {
+    if is_standard && is_json() {
         return refuse(
             "standard output cannot hold both the rows and the summary of `json`; name a file \
              with `output`",
