@@ -48,6 +48,8 @@ pub enum Error {
     OutOfRange {
         /// The parameter.
         name: String,
+        /// The value, SI.
+        si: f64,
         /// The value, with its unit.
         value: String,
         /// The range, with its unit.

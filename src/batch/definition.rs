@@ -69,6 +69,7 @@ impl Batch {
         }
         Err(Error::OutOfRange {
             name: "the largest defect of a drive".into(),
+            si: defect,
             value: format!("{defect} m"),
             range: "0 m < …".into(),
             advice: "use the defect of integration::accuracy, or infinity for the setup's own step"

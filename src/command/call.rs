@@ -232,6 +232,7 @@ impl CommandLine {
             "LENGTH" => Some(Quantity::LENGTH),
             "SPEED" => Some(Quantity::SPEED),
             "ANGLE" => Some(Quantity::ANGLE),
+            "TEMPERATURE" => Some(Quantity::TEMPERATURE),
             "SPIN" => Some(Quantity::ANGULAR_VELOCITY),
             _ => None,
         }
@@ -288,34 +289,22 @@ impl CommandLine {
 /// angle without a unit, the new advice proposes the number in degrees. `bare_angles` are the
 /// angles without a unit in the request, rad.
 pub fn with_degrees(error: Error, bare_angles: &[f64]) -> Error {
-    let Error::OutOfRange {
-        name,
-        value,
-        range,
-        advice,
-    } = error
-    else {
-        return error;
-    };
-    let parameter = parameter(&name).or_else(|| parameter(&format!("launch.{name}")));
-    let is_angle = parameter.is_some_and(|parameter| parameter.quantity == Quantity::ANGLE);
-    // `value` is a text such as "1145.916 deg (20 rad)", in which the number is rounded: compare
-    // with a tolerance
-    let si = value
-        .rsplit_once('(')
-        .and_then(|(_, si)| si.strip_suffix(" rad)"));
-    let stated: Option<f64> = si.and_then(|number| number.parse().ok());
-    let is_bare = |number: &&f64| {
-        stated.is_some_and(|stated| is_angle && (stated - **number).abs() <= 1e-5 * number.abs())
-    };
-    let meant = bare_angles.iter().find(is_bare);
-    let advice = meant.map_or(advice, |number| {
-        format!("a number without a unit is SI; did you mean \"{number} deg\"?")
-    });
-    Error::OutOfRange {
-        name,
-        value,
-        range,
-        advice,
+    match error {
+        Error::OutOfRange {
+            name,
+            si,
+            value,
+            range,
+            ..
+        } if quantity_of(&name) == Some(Quantity::ANGLE) && bare_angles.contains(&si) => {
+            Error::OutOfRange {
+                name,
+                si,
+                value,
+                range,
+                advice: format!("a number without a unit is SI; did you mean \"{si} deg\"?"),
+            }
+        }
+        error => error,
     }
 }

@@ -94,11 +94,13 @@ impl Parameter {
         self.check(value).map_err(|error| match error {
             Error::OutOfRange {
                 name,
+                si,
                 value: shown,
                 range,
                 advice,
             } => Error::OutOfRange {
                 name,
+                si,
                 value: self.show_with_text(value, text).unwrap_or(shown),
                 range,
                 advice: self.unit_suggestion(text).unwrap_or(advice),
@@ -163,6 +165,7 @@ impl Parameter {
         };
         Err(Error::OutOfRange {
             name: self.name.into(),
+            si: value,
             value: self.show_with_si(value),
             range,
             advice,

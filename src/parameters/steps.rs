@@ -42,6 +42,7 @@ fn refusal(step: f64, limit: f64) -> Error {
         .find_map(check)
         .unwrap_or_else(|| Error::OutOfRange {
             name: "flight.step".into(),
+            si: step,
             value: format!("{step:e} s"),
             range: format!(
                 "{:e} s ≤ …: at most {MOST_STEPS:e} steps up to flight.time_limit = {limit} s",

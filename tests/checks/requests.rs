@@ -52,6 +52,36 @@ fn exact_numbers_have_the_si_unit_of_their_argument_parameter_or_goal() {
 }
 
 #[test]
+fn exact_numbers_of_short_options_have_an_si_unit() {
+    let numbers = [
+        ("speed", 42.5),
+        ("attack", 0.05),
+        ("loft", 0.25),
+        ("temperature", 280.5),
+        ("wind", 3.5),
+        ("altitude", 100.5),
+    ];
+    let mut written = words(
+        "simulate",
+        numbers
+            .map(|(name, number)| (name, ArgumentValue::Number(number)))
+            .to_vec(),
+    );
+    written.sort();
+    let expected = [
+        "--altitude=100.5 m",
+        "--attack=0.05 rad",
+        "--loft=0.25 rad",
+        "--speed=42.5 m/s",
+        "--temperature=280.5 K",
+        "--wind=3.5 m/s",
+        "longdrive",
+        "simulate",
+    ];
+    assert_eq!(written, expected);
+}
+
+#[test]
 fn exact_distributions_and_several_changes_are_one_word_each() {
     let numbers = vec![
         ArgumentValue::Text("1deg".into()),

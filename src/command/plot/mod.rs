@@ -404,6 +404,7 @@ fn number_within(
     }
     Err(Error::OutOfRange {
         name: name.into(),
+        si: value,
         value: value.to_string(),
         range: format!("{least} .. {most}"),
         advice: "give a number in this range".into(),

@@ -149,6 +149,7 @@ pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
     if !(least..=most).contains(&step) {
         return Err(Error::OutOfRange {
             name: "the step of the loop".into(),
+            si: step,
             value: format!("{step} s"),
             range: format!("{least} s .. {most} s"),
             advice: "the report's step is 0.01 s".into(),
