@@ -48,7 +48,7 @@ pub(crate) fn refuse_repeated(parameters: &[&'static Parameter]) -> Result<()> {
     if parameters.is_empty() {
         return Err(Error::Nothing {
             doing: "sweep",
-            what: "parameter",
+            what: "parameter, as in `over club.loft=5deg..15deg:101`",
         });
     }
     Ok(())

@@ -7,7 +7,7 @@ use super::running::{Running, within};
 #[cfg(feature = "cli")]
 use super::terminal::Terminal;
 use super::usage::explain;
-use super::wording::with_argument;
+use super::wording::with_quotes_advice;
 use super::{Program, named_in, program};
 use crate::Error;
 use crate::input_file::with_memory_files;
@@ -85,10 +85,7 @@ fn run_words(words: Vec<OsString>, host: Arc<dyn Host>, bare_angles: &[f64]) -> 
         Ok(status) => status,
         // a broken pipe, as in `longdrive … | head`, is not an error
         Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => 0,
-        Err(error) => {
-            let error = with_degrees(with_argument(error), bare_angles);
-            complain(&error)
-        }
+        Err(error) => complain(&with_degrees(with_quotes_advice(error), bare_angles)),
     };
     within(running, || with_memory_files(files, work))
 }

@@ -30,40 +30,24 @@ pub fn name_in_host_syntax(shown: &str) -> Option<String> {
     Some(running().host.mention(mention)).filter(|words| *words != mention.in_command_line_syntax())
 }
 
-/// Adds to an error the argument that would solve it.
-pub fn with_argument(error: Error) -> Error {
+/// Adds advice to the error of a constraint without a comparison: the shell may have removed `>` or
+/// `<` as a redirection.
+pub fn with_quotes_advice(error: Error) -> Error {
     match error {
-        Error::Nothing { doing, what } => Error::Nothing {
-            doing,
-            what: missing_argument(doing).unwrap_or(what),
-        },
-        // a constraint without a comparison: the shell may have removed `>` or `<` as a redirection
         Error::Constraint {
             expression,
             column,
             reason,
-        } if !expression.contains(['<', '>', '=']) => Error::Constraint {
-            reason: match running().words.iter().any(|word| word == "--subject-to") {
-                true => format!("{reason}; {}", quotes_advice()),
-                false => reason,
-            },
-            expression,
-            column,
-        },
+        } if !expression.contains(['<', '>', '='])
+            && running().words.iter().any(|word| word == "--subject-to") =>
+        {
+            Error::Constraint {
+                reason: format!("{reason}; {}", quotes_advice()),
+                expression,
+                column,
+            }
+        }
         error => error,
-    }
-}
-
-/// The argument that a command lacks, with an example. `doing` is the operation that
-/// [`Error::Nothing`] reports.
-fn missing_argument(doing: &str) -> Option<&'static str> {
-    match doing {
-        "vary" => Some(
-            "parameter with a range wider than a single value, as in `vary club.loft=4deg..20deg`",
-        ),
-        "fit" => Some("parameter, as in `fit aero.cd0` or `fit aero.cd0=0.1..0.4`"),
-        "sweep" => Some("parameter, as in `over club.loft=5deg..15deg:101`"),
-        _ => None,
     }
 }
 

@@ -192,7 +192,8 @@ impl Search {
         if self.vary.iter().all(|vary| vary.low == vary.high) {
             return Err(Error::Nothing {
                 doing: "vary",
-                what: "parameter with a range wider than a single value",
+                what: "parameter with a range wider than a single value, as in \
+                       `vary club.loft=4deg..20deg`",
             });
         }
         let is_same = |a: &Vary, b: &Vary| a.parameter == b.parameter;

@@ -36,7 +36,7 @@ impl FitPlan {
         if fit.is_empty() {
             return Err(Error::Nothing {
                 doing: "fit",
-                what: "parameter",
+                what: "parameter, as in `fit aero.cd0` or `fit aero.cd0=0.1..0.4`",
             });
         }
         let one = |text: &String| match text.contains('=') {
