@@ -167,7 +167,7 @@ impl Batch {
         let gradients = |of: &[Outcome], wrt: &[&'static Parameter]| {
             let evaluator = Evaluator::new(setup, of, wrt, Order::First)
                 .map(|evaluator| evaluator.at_level(self.level));
-            match evaluator.and_then(|evaluator| evaluator.at_setup(Some(stop), &mut |_, _| ())) {
+            match evaluator.and_then(|evaluator| evaluator.at_setup(Some(stop), &|_, _| ())) {
                 Err(Error::Stopped) => Err(Error::Stopped),
                 found => Ok(found.ok()),
             }

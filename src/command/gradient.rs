@@ -64,7 +64,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         Order::First
     };
     let evaluated = with_bar("passes", |show| {
-        Evaluator::new(&setup, &of, &wrt, order)?.at_setup(None, &mut |done, all| show(done, all))
+        Evaluator::new(&setup, &of, &wrt, order)?.at_setup(None, show)
     });
     let each: Vec<Result<Taylor>> = match evaluated {
         // report the other outcomes if one has no value (no landing, no direction)

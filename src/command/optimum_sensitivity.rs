@@ -127,9 +127,7 @@ fn analyse(
         .copied()
         .filter(|p| best.search.vary.iter().all(|vary| vary.parameter != *p))
         .collect();
-    let sensitivities = with_bar("parameters", |show| {
-        sensitivities(best, &wrt, &mut |done, all| show(done, all))
-    });
+    let sensitivities = with_bar("parameters", |show| sensitivities(best, &wrt, show));
     if let (None, Some((_, message))) = (requested.loss, short_drive(best)) {
         note(message);
     }

@@ -353,7 +353,7 @@ fn add_derivatives(
     let moved = |setup: &Setup<f64>, outcomes: &[Outcome]| {
         let setup = setup.with_assumed_launch()?;
         let sigmas = with_defaults(&setup, given, &[of])?;
-        effects(&setup, outcomes, &sigmas, &mut |_, _| ())
+        effects(&setup, outcomes, &sigmas, &|_, _| ())
     };
     let effects = or_remark(moved(setup, &[of, other]), remarks)?.unwrap_or_default();
     bar.inc(1);

@@ -62,9 +62,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     };
     let drive = Drive::new(&setup)?;
     warn(drive.warnings_about(&setup, &of));
-    let found = with_bar("uncertainties", |show| {
-        effects(&setup, &of, &sigmas, &mut |done, all| show(done, all))
-    })?;
+    let found = with_bar("uncertainties", |show| effects(&setup, &of, &sigmas, show))?;
     // the report has no value where the drive at −σ or +σ is missing: warn with the reason
     let unflown = found.first().map(|effects| unflown(&setup, &of, effects));
     warn(unflown.into_iter().flatten());
@@ -136,7 +134,7 @@ fn total_slopes(best: &Optimum) -> Result<Vec<(&'static Parameter, Result<Sensit
     };
     let mut wrt = all_variables(&best.setup, &best.search.outcomes());
     wrt.retain(|parameter| !is_varied(parameter));
-    sensitivities(best, &wrt, &mut |_, _| ())
+    sensitivities(best, &wrt, &|_, _| ())
 }
 
 /// Warnings about missing total derivatives, with the reasons.

@@ -78,7 +78,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         seed: args.seed,
     };
     let found = with_bar("drives", |show| {
-        uncertainty(&setup, &of, &inputs, plan, &show)
+        uncertainty(&setup, &of, &inputs, plan, show)
     })?;
     warn(found.warnings());
     let is_found = found

@@ -66,7 +66,7 @@ impl ParameterSplit {
 pub(super) fn derivatives(
     point: &EvaluationPoint<'_>,
     split: Option<&ParameterSplit>,
-    progress: &mut dyn FnMut(usize, usize),
+    progress: &dyn Fn(usize, usize),
 ) -> Result<Vec<Taylor>> {
     let Some(split) = split else {
         let variables: Vec<_> = (0..point.columns).collect();
@@ -75,12 +75,7 @@ pub(super) fn derivatives(
         return Ok(taylors);
     };
     let mut taylors = vec![zero(point, point.columns); point.of.len() + COMPONENTS];
-    point.differentiate(
-        Stage::Impact,
-        &split.of_launch,
-        &mut taylors,
-        &mut |_, _| (),
-    )?;
+    point.differentiate(Stage::Impact, &split.of_launch, &mut taylors, &|_, _| ())?;
     let launch = taylors.split_off(point.of.len());
     if !point.flies {
         progress(1, 1);

@@ -165,7 +165,7 @@ impl Evaluator {
         if setup.club.inertia() != self.setup.club.inertia() {
             setup.club.check_inertia()?;
         }
-        self.unchecked(setup, values, order.min(self.order), stop, &mut |_, _| ())
+        self.unchecked(setup, values, order.min(self.order), stop, &|_, _| ())
     }
 
     /// Outcomes at the setup's own values of the parameters. `progress` receives the number of
@@ -177,7 +177,7 @@ impl Evaluator {
     pub fn at_setup(
         &self,
         stop: Option<&AtomicBool>,
-        progress: &mut dyn FnMut(usize, usize),
+        progress: &dyn Fn(usize, usize),
     ) -> Result<Vec<Taylor>> {
         let values: Vec<f64> = self
             .wrt
@@ -195,7 +195,7 @@ impl Evaluator {
         x: &[f64],
         order: Order,
         stop: Option<&AtomicBool>,
-        progress: &mut dyn FnMut(usize, usize),
+        progress: &dyn Fn(usize, usize),
     ) -> Result<Vec<Taylor>> {
         with_accepted_step(&mut setup, self.largest_defect, |setup| {
             self.with_step_of(setup, x, order, stop, progress)
@@ -212,7 +212,7 @@ impl Evaluator {
         x: &[f64],
         order: Order,
         stop: Option<&AtomicBool>,
-        progress: &mut dyn FnMut(usize, usize),
+        progress: &dyn Fn(usize, usize),
     ) -> Result<Vec<Taylor>> {
         let is_second = order == Order::Second;
         let any = |is: fn(&Outcome) -> bool| self.of.iter().any(is);

@@ -59,7 +59,7 @@ pub fn diagonal(
 ) -> Result<Vec<Taylor>> {
     Evaluator::new(setup, of, wrt, Order::Second)?
         .with_entries(Entries::Diagonal)
-        .at_setup(None, &mut |_, _| ())
+        .at_setup(None, &|_, _| ())
 }
 
 /// Outcomes of a drive with their derivatives up to `order`. The gradients are the rows of the
@@ -75,7 +75,7 @@ pub fn evaluate(
     wrt: &[&'static Parameter],
     order: Order,
 ) -> Result<Vec<Taylor>> {
-    Evaluator::new(setup, of, wrt, order)?.at_setup(None, &mut |_, _| ())
+    Evaluator::new(setup, of, wrt, order)?.at_setup(None, &|_, _| ())
 }
 
 /// Like [`evaluate`] to second order, but computes only the last row and column of each Hessian:
@@ -91,5 +91,5 @@ pub(crate) fn last_hessian_row(
 ) -> Result<Vec<Taylor>> {
     Evaluator::new(setup, of, wrt, Order::Second)?
         .with_entries(Entries::LastRow)
-        .at_setup(None, &mut |_, _| ())
+        .at_setup(None, &|_, _| ())
 }

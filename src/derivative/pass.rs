@@ -72,7 +72,7 @@ impl EvaluationPoint<'_> {
         stage: Stage<'_>,
         variables: &[usize],
         taylors: &mut [Taylor],
-        progress: &mut dyn FnMut(usize, usize),
+        progress: &dyn Fn(usize, usize),
     ) -> Result<()> {
         let pairs = self.entries.map(|entries| pairs(variables, entries));
         let directions = Directions {

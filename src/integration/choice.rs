@@ -222,7 +222,7 @@ impl Integration {
         stop: &AtomicBool,
     ) -> Result<Vec<Taylor>> {
         self.evaluator(of, wrt, order)?
-            .at_setup(Some(stop), &mut |_, _| ())
+            .at_setup(Some(stop), &|_, _| ())
     }
 
     /// An evaluator of outcomes with derivatives.

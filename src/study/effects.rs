@@ -119,7 +119,7 @@ pub fn effects(
     setup: &Setup<f64>,
     of: &[Outcome],
     sigmas: &[Sigma],
-    progress: &mut dyn FnMut(usize, usize),
+    progress: &dyn Fn(usize, usize),
 ) -> Result<Vec<Effects>> {
     sigmas.iter().try_for_each(|sigma| sigma.check(setup))?;
     let mut parameters = setup.variables();

@@ -67,7 +67,7 @@ fn refuse_corner(best: &Optimum) -> Result<()> {
 pub fn sensitivities(
     best: &Optimum,
     wrt: &[&'static Parameter],
-    progress: &mut dyn FnMut(usize, usize),
+    progress: &dyn Fn(usize, usize),
 ) -> Result<Vec<(&'static Parameter, Result<Sensitivity>)>> {
     best.problem()?;
     let one = |(done, parameter): (usize, &&'static Parameter)| {

@@ -71,7 +71,7 @@ fn differences_agree(setup: &Setup<f64>, search: &Search) {
         .filter(|p| search.vary.iter().all(|vary| vary.parameter.name != p.name))
         .collect();
     let mut compared = 0;
-    for (parameter, sensitivity) in sensitivities(&best, &wrt, &mut |_, _| ()).unwrap() {
+    for (parameter, sensitivity) in sensitivities(&best, &wrt, &|_, _| ()).unwrap() {
         let exact = sensitivity.unwrap_or_else(|e| panic!("{}: {e}", parameter.name));
         let value = best.setup.value(parameter).unwrap();
         // the step is proportional to the value of the parameter; a value of 0 counts as 0.1 of the

@@ -11,6 +11,7 @@ use longdrive::report::{GradientReport, Report};
 use longdrive::units::System;
 use longdrive::{Drive, Error, Outcome, Setup};
 use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
+use std::cell::RefCell;
 
 /// Outcomes of a setup over the number type `D`. The variables are loft and attack angle.
 fn outcomes_with_variables<D: Number, const N: usize>(
@@ -451,11 +452,12 @@ fn derivatives_do_not_depend_on_other_requested_outcomes() {
     );
     assert_eq!((one.gradient.len(), block.hessian.len()), (1, 3));
 
-    let mut seen = vec![];
+    let seen = RefCell::new(vec![]);
     Evaluator::new(&setup, &[Outcome::Carry], &three, Order::Second)
         .unwrap()
-        .at_setup(None, &mut |done, passes| seen.push((done, passes)))
+        .at_setup(None, &|done, passes| seen.borrow_mut().push((done, passes)))
         .unwrap();
+    let seen = seen.into_inner();
     // the three pairs of parameters need one to three passes, fewer on a processor with wider
     // registers
     let passes = seen.len();

@@ -253,7 +253,7 @@ fn exact_zero_uncertainty_of_the_change_to_an_equal_drive() {
     let setup = Setup::modern_driver();
     let sigmas = with_defaults(&setup, &[], &[Outcome::Carry]).unwrap();
     let of = |setup: &Setup<f64>| {
-        effects(setup, &[Outcome::Carry], &sigmas, &mut |_, _| ())
+        effects(setup, &[Outcome::Carry], &sigmas, &|_, _| ())
             .unwrap()
             .pop()
             .unwrap()
@@ -284,7 +284,7 @@ fn exact_zero_uncertainty_of_the_change_to_an_equal_drive() {
         "the change",
     );
     // the second drive has the uncertainties of only three parameters
-    let few = effects(&other, &[Outcome::Carry], &sigmas[..3], &mut |_, _| ()).unwrap();
+    let few = effects(&other, &[Outcome::Carry], &sigmas[..3], &|_, _| ()).unwrap();
     let ways = [
         here.uncertainty_of_change(&few[0]),
         few[0].uncertainty_of_change(&here),

@@ -148,7 +148,7 @@ fn a_coefficient_of_another_law_is_refused_everywhere() {
         ),
         (
             "effects",
-            effects(&setup, &of, &[sigma], &mut |_, _| ()).map(|_| ()),
+            effects(&setup, &of, &[sigma], &|_, _| ()).map(|_| ()),
         ),
         (
             "a landing",

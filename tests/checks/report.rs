@@ -85,7 +85,7 @@ fn figures() -> Vec<Figure> {
     crooked.set("swing.path", "3 deg").unwrap();
     let flown = [NamedDrive::new(DriveRole::Other("as <set> & \"up\"".into()), &crooked).unwrap()];
     let sigmas = with_defaults(&setup, &[], &[Outcome::Carry]).unwrap();
-    let effects = effects(&setup, &[Outcome::Carry], &sigmas, &mut |_, _| ()).unwrap();
+    let effects = effects(&setup, &[Outcome::Carry], &sigmas, &|_, _| ()).unwrap();
     let loft = setup.variable("club.loft").unwrap();
     let certificate = certify(&setup, &[Outcome::Carry], &[loft], &|_, _| true).unwrap();
     vec![
@@ -488,7 +488,7 @@ fn same_tornado_bars_and_drives() {
 fn differences_standard_uncertainty_of_a_tornado_plot() {
     let setup = Setup::preset("modern-driver").unwrap();
     let sigmas = with_defaults(&setup, &[], &[Outcome::Carry]).unwrap();
-    let effects = effects(&setup, &[Outcome::Carry], &sigmas, &mut |_, _| ()).unwrap();
+    let effects = effects(&setup, &[Outcome::Carry], &sigmas, &|_, _| ()).unwrap();
     let carry = |sigma: &Sigma, steps: f64| {
         let mut moved = setup;
         let value = setup.value(sigma.parameter).unwrap() + steps * sigma.value;
@@ -516,7 +516,7 @@ fn the_last_row_of_a_tornado_plot_has_no_effect_only_if_no_parameter_has_one() {
     ] {
         let given = [Sigma::read(&setup, given).unwrap()];
         let sigmas = with_defaults(&setup, &given, &[of]).unwrap();
-        let effects = effects(&setup, &[of], &sigmas, &mut |_, _| ()).unwrap();
+        let effects = effects(&setup, &[of], &sigmas, &|_, _| ()).unwrap();
         let figure = tornado_figure(&effects[0], Causes::All, System::Us).unwrap();
         let rows = format!("{:?}", figure.y);
         assert_eq!(rows.contains(" more: no effect"), has_none, "{rows}");

@@ -545,7 +545,7 @@ fn exact_effects_are_gradients_times_uncertainties_ranked_by_size() {
     ];
     let sigmas = with_defaults(&setup, &given, &[Outcome::Carry]).unwrap();
     assert!(sigmas.len() > 8 && sigmas.iter().skip(2).all(|sigma| sigma.source.is_some()));
-    let found = effects(&setup, &[Outcome::Carry], &sigmas, &mut |_, _| ())
+    let found = effects(&setup, &[Outcome::Carry], &sigmas, &|_, _| ())
         .unwrap()
         .remove(0);
     let carry = Outcome::Carry.of(&Drive::new(&setup).unwrap()).unwrap();
@@ -591,7 +591,7 @@ fn exact_effects_are_gradients_times_uncertainties_ranked_by_size() {
         }
     }
     // ball speed is proportional to club speed: an elasticity of 1
-    let speed = effects(&setup, &[Outcome::BallSpeed], &given, &mut |_, _| ())
+    let speed = effects(&setup, &[Outcome::BallSpeed], &given, &|_, _| ())
         .unwrap()
         .remove(0);
     let of_speed = speed
@@ -839,7 +839,7 @@ fn huge_uncertainties_give_no_infinity() {
     let report = UncertaintyReport::new(&found);
     let text = report.document(longdrive::units::System::Us).text(&WHOLE);
     assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
-    let found = effects(&setup, &[Outcome::Carry], &[sigma], &mut |_, _| ())
+    let found = effects(&setup, &[Outcome::Carry], &[sigma], &|_, _| ())
         .unwrap()
         .remove(0);
     let bar = found.effects[0].sigma_effect.unwrap();
@@ -1090,7 +1090,7 @@ fn impossible_distributions_are_refused() {
             source: None,
         };
         let refused = [
-            effects(&setup, &[Outcome::Carry], &[sigma], &mut |_, _| ()).map(|_| ()),
+            effects(&setup, &[Outcome::Carry], &[sigma], &|_, _| ()).map(|_| ()),
             Landing::of(DriveRole::AsSetUp, &setup, &[sigma]).map(|_| ()),
         ];
         for error in refused.map(Result::unwrap_err) {

@@ -268,7 +268,7 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     let given = sigmas(&setup, &args.sigma)?;
     let sigmas = with_defaults(&setup, &given, &[of])?;
     let found = with_bar("uncertainties", |show| {
-        effects(&setup, &[of], &sigmas, &mut |done, all| show(done, all))
+        effects(&setup, &[of], &sigmas, show)
     })?;
     let figure = found
         .first()
