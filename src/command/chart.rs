@@ -48,14 +48,14 @@ pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let (along, at) = args.places(&request.partial_setup)?;
     request.refuse_stated_besides_launch(&[along.parameter], "`along` gives its values")?;
-    let drive = args.search.of_drive(&request, Some(along), None)?;
-    let DriveSearch { setup, search, .. } = &drive;
+    let drive_search = args.search.of_drive(&request, Some(along), None)?;
+    let DriveSearch { setup, search, .. } = &drive_search;
     request.warn_of_ranges(setup, &[along]);
     let work = interrupt::enable(BEST_SO_FAR);
     if !at.is_sorted_by(|a, b| a < b) {
         note("the values of `at` are used in ascending order, each once");
     }
-    let origin = drive.origin(&request);
+    let origin = drive_search.origin(&request);
     let chart = follow(setup, search, along, &at, &work.stop);
     let is_interrupted = work.stop.load(Ordering::Relaxed);
     drop(work);

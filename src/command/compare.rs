@@ -151,13 +151,14 @@ impl PairArgs {
     /// The comparison of the two drives.
     ///
     /// # Errors
-    /// The errors of [`Request::setup`], [`Request::one_of_two_within_tolerance`] and
+    /// The errors of [`Request::one_of_two_within_tolerance`] and
     /// [`Comparison::new`].
     pub fn comparison(&self, [a, b]: &[Request; 2]) -> Result<Comparison> {
-        let setup = |request: &Request| request.one_of_two_within_tolerance(request.setup()?);
         let setups = [
-            setup(a).map_err(|error| error.of_drive(A))?,
-            setup(b).map_err(|error| error.of_drive(B))?,
+            a.one_of_two_within_tolerance()
+                .map_err(|error| error.of_drive(A))?,
+            b.one_of_two_within_tolerance()
+                .map_err(|error| error.of_drive(B))?,
         ];
         let given: BTreeSet<_> = a.given().chain(b.given()).collect();
         warn_of_idle(given, &setups);

@@ -52,7 +52,7 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let setup = request.within_tolerance(request.setup()?)?;
+    let setup = request.setup_within_tolerance()?;
     let of = outcomes(&args.derivatives.of)?;
     let wrt = args.derivatives.variables(&setup, &of)?;
     let drive = Drive::new(&setup)?;

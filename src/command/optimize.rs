@@ -15,10 +15,10 @@ pub fn run(args: &Args) -> Result<Answer> {
     let args = &args.optimum;
     let request = args.setup_args.request()?;
     let instead = "`simulate()` flies the drive as stated";
-    let drive = args.search.of_drive(&request, None, Some(instead))?;
+    let drive_search = args.search.of_drive(&request, None, Some(instead))?;
     let output = args.destination(&request, std::iter::empty())?;
-    let mut optima = args.optima(&drive)?;
-    let club = optima.club_alone()?;
+    let mut optima = args.optima(&drive_search)?;
+    let club = optima.improve_from_club_alone()?;
     let best = &optima.best;
     if let Some(moved) = best.moved_start() {
         note(&moved);
@@ -34,6 +34,6 @@ pub fn run(args: &Args) -> Result<Answer> {
         club_alone: club.as_ref(),
     });
     let report = OptimizeReport::new(&optima, None, around, written);
-    let answer = Answer::report(&report, &drive.origin(&request));
+    let answer = Answer::report(&report, &drive_search.origin(&request));
     Ok(answer.found(optima.is_found()))
 }

@@ -44,12 +44,11 @@ pub fn run(args: &Args) -> Result<Answer> {
     } = &args.optimum;
     let request = setup_args.request()?;
     let instead = "`sensitivity()` is about the drive as stated";
-    let drive = search.of_drive(&request, None, Some(instead))?;
-    let requested = AnalysisRequest::new(args, &drive)?;
+    let drive_search = search.of_drive(&request, None, Some(instead))?;
+    let requested = AnalysisRequest::new(args, &drive_search)?;
     let output = args.optimum.destination(&request, std::iter::empty())?;
-    let mut optima = args.optimum.optima(&drive)?;
-    // replaces the best optimum if a search from the optimum of the club alone finds a better one
-    optima.club_alone()?;
+    let mut optima = args.optimum.optima(&drive_search)?;
+    optima.improve_from_club_alone()?;
     let best = &optima.best;
     let written = write(output.as_ref(), &request, &optima, None)?;
     if let Some(moved) = best.moved_start() {
@@ -60,7 +59,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let integrated = |mut changed: Setup<f64>| {
         let own = request.partial_setup;
         (changed.method, changed.flight.step) = (own.method, own.flight.step);
-        request.for_many(changed, &drive.search.vary)
+        request.for_many(changed, &drive_search.search.vary)
     };
     let (mut analysis, mut reason) = (None, None);
     if optima.stopped() == 0 {
@@ -76,7 +75,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let windows = analysis.map(OptimumAnalysis::windows);
     let search = OptimizeReport::new(&optima, None, windows, written);
     let report = SensitivityReport::new(search, analysis, reason.as_ref());
-    let answer = Answer::report(&report, &drive.origin(&request));
+    let answer = Answer::report(&report, &drive_search.origin(&request));
     Ok(answer.found(analysis.is_some_and(OptimumAnalysis::is_answered)))
 }
 
@@ -89,11 +88,11 @@ struct AnalysisRequest {
 }
 
 impl AnalysisRequest {
-    fn new(args: &Args, drive: &DriveSearch) -> Result<Self> {
-        let search = &drive.search;
+    fn new(args: &Args, drive_search: &DriveSearch) -> Result<Self> {
+        let search = &drive_search.search;
         // with start values, a varied parameter in `wrt` is refused because it is varied, and not
         // because it has no value
-        let setup = &Vary::initialized(&drive.setup, &search.vary)?;
+        let setup = &Vary::initialized(&drive_search.setup, &search.vary)?;
         let wrt = variables(setup, &args.wrt, &search.outcomes())?;
         let changes = args
             .change

@@ -21,8 +21,8 @@ use crate::reproduce::while_loop;
 use crate::study::certificate::{DerivativeRow, certify};
 use crate::study::{
     Chart, DriveRole, Face, Fineness, Landing, Launches, Map, NamedDrive, Region, Search, Sigma,
-    Vary, chart, club_alone, effects, flatness, lofts, map, optimum, short_drive, usual_loss,
-    with_defaults,
+    Vary, chart, effects, flatness, improve_from_club_alone, lofts, map, optimum, short_drive,
+    usual_loss, with_defaults,
 };
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
@@ -76,8 +76,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     names.extend(explorer_page.map(|_| EXPLORER_FILE));
     let folder = OutputRule::new(request.inputs(), args.overwrite).folder(&args.output, &names)?;
 
-    let origin = match &inputs.drive {
-        Some(drive) => drive.origin(&request),
+    let origin = match &inputs.drive_search {
+        Some(drive_search) => drive_search.origin(&request),
         None => request.origin(),
     };
     let bar = bar("parts");
@@ -125,7 +125,7 @@ struct ReportRequest {
     setup: Setup<f64>,
     /// The outcome that the report is about.
     of: Outcome,
-    drive: Option<DriveSearch>,
+    drive_search: Option<DriveSearch>,
     /// The reason why there is no search.
     reason: Option<String>,
     /// The parameter along which the chart runs. `None` if there is no chart: there is no search,
@@ -140,15 +140,15 @@ impl ReportRequest {
         let stated = request.setup()?;
         let of = args.search.objective(of_a_drive, Outcome::Carry)?.0;
         let reason = args.search.nothing_to_vary(request)?;
-        let (mut drive, mut along) = (None, None);
+        let (mut drive_search, mut along) = (None, None);
         if reason.is_none() {
             along = args.along(&stated)?;
-            drive = Some(args.search.of_drive(request, along, None)?);
+            drive_search = Some(args.search.of_drive(request, along, None)?);
         } else {
             args.refuse_idle_search()?;
         }
-        let setup = match &drive {
-            Some(drive) => drive.setup,
+        let setup = match &drive_search {
+            Some(drive_search) => drive_search.setup,
             None => request.for_many(stated, &[])?,
         };
         let uncertain = request.with_assumed_launch(setup)?;
@@ -159,7 +159,7 @@ impl ReportRequest {
             stated,
             setup,
             of,
-            drive,
+            drive_search,
             reason,
             along,
             given,
@@ -173,7 +173,8 @@ fn add_sections(
     inputs: &ReportRequest,
     bar: &Arc<dyn Progress>,
 ) -> Result<()> {
-    let search = inputs.drive.as_ref().map(|drive| &drive.search);
+    let search = inputs.drive_search.as_ref();
+    let search = search.map(|drive_search| &drive_search.search);
     let mut remarks = vec![];
     add_drives(findings, search, bar, &mut remarks)?;
     let why_none = why_none(findings, inputs.reason.as_deref());
@@ -249,7 +250,7 @@ fn add_drives(
         .transpose()?;
     let club_alone = found
         .as_mut()
-        .map(|best| or_remark(club_alone(best), remarks))
+        .map(|best| or_remark(improve_from_club_alone(best), remarks))
         .transpose()?;
     findings.club_alone = club_alone.flatten().flatten();
     findings.found = found;
@@ -390,7 +391,7 @@ impl Args {
     /// the report is about this outcome.
     fn refuse_idle_search(&self) -> Result<()> {
         let along = self.along.as_ref().map(|_| "`along`");
-        let options = self.search.given().chain(along);
+        let options = self.search.stated().chain(along);
         let mut idle = options.filter(|option| !["`maximize`", "`minimize`"].contains(option));
         let Some(option) = idle.next() else {
             return Ok(());

@@ -14,7 +14,9 @@ use crate::optimize::{Checkpoint, Iteration, Observer, Observers, Options};
 use crate::parameters::{Parameter, Vary};
 use crate::report::{SetupOrigin, goal_text, iteration_line, optimum_setup};
 use crate::study::swings::{Scenarios, Swings};
-use crate::study::{Constraint, Optima, Optimum, Search, Sense, club_alone, optima, optimum};
+use crate::study::{
+    Constraint, Optima, Optimum, Search, Sense, improve_from_club_alone, optima, optimum,
+};
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
@@ -43,12 +45,10 @@ impl DriveSearch {
     /// no progress and cannot be interrupted.
     ///
     /// # Errors
-    /// The errors of [`optimum`] and [`club_alone`].
+    /// The errors of [`optimum`] and [`improve_from_club_alone`].
     pub fn optimum(&self) -> Result<Optimum> {
         let mut best = optimum(&self.setup, self.search.clone(), Observer::default())?;
-        // replaces the best optimum if a search from the optimum of the club alone finds a better
-        // one
-        club_alone(&mut best)?;
+        improve_from_club_alone(&mut best)?;
         Ok(best)
     }
 }
@@ -61,7 +61,7 @@ impl SearchArgs {
     /// with nothing to vary.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] if there is nothing to vary; the errors of [`Request::with_values`],
+    /// [`Error::Unreadable`] if there is nothing to vary; the errors of [`Request::fill_missing`],
     /// [`search`](Self::search) and [`Request::for_many`].
     pub fn of_drive(
         &self,
@@ -72,7 +72,7 @@ impl SearchArgs {
         let setup = request.partial_setup;
         let mut starts = request.starts(&setup, &self.vary)?;
         starts.extend(along.map(|along| (along.parameter, along.low)));
-        let started = request.with_values(setup, starts, "begins at")?;
+        let started = request.fill_missing(setup, starts, "begins at")?;
         let parameter = along.map(|along| along.parameter);
         let ranges = DefaultRanges::of_drive(&self.vary, request, &started, parameter)?;
         if let (Some(reason), Some(instead)) = (ranges.reason(), instead) {
@@ -152,7 +152,7 @@ impl SearchArgs {
     }
 
     /// The names of the stated options.
-    pub fn given(&self) -> impl Iterator<Item = &'static str> {
+    pub fn stated(&self) -> impl Iterator<Item = &'static str> {
         stated([
             ("`maximize`", self.maximize.is_some()),
             ("`minimize`", self.minimize.is_some()),
@@ -165,9 +165,9 @@ impl SearchArgs {
 
 impl OptimumArgs {
     /// Runs the search, which Ctrl-C interrupts.
-    pub fn optima(&self, drive: &DriveSearch) -> Result<Optima> {
+    pub fn optima(&self, drive_search: &DriveSearch) -> Result<Optima> {
         let work = interrupt::enable(BEST_SO_FAR);
-        self.optima_until(&drive.setup, &drive.search, &work.stop)
+        self.optima_until(&drive_search.setup, &drive_search.search, &work.stop)
     }
 
     /// Runs the search and writes its checkpoint. `stop` interrupts the search. The progress is the

@@ -84,8 +84,8 @@ struct AnalysedDrive {
 impl AnalysedDrive {
     /// The drive of the request. Refuses options of a search.
     fn as_set_up(args: &Args, request: &Request) -> Result<Self> {
-        let setup = request.within_tolerance(request.setup()?)?;
-        if let Some(option) = args.search.given().next() {
+        let setup = request.setup_within_tolerance()?;
+        if let Some(option) = args.search.stated().next() {
             let source = "it is an option of the search for an optimum; add `at_optimum`, or leave \
                           it out";
             return Err(Error::unreadable(option, source));
@@ -100,15 +100,15 @@ impl AnalysedDrive {
     /// The optimum of the search of the request.
     fn at_optimum(args: &Args, request: &Request) -> Result<Self> {
         let instead = "without `at_optimum`, the answer is about the drive as stated";
-        let mut drive = args.search.of_drive(request, None, Some(instead))?;
-        drive.setup = args.with_assumed_launch(request, drive.setup)?;
-        let found = drive.optimum()?;
+        let mut drive_search = args.search.of_drive(request, None, Some(instead))?;
+        drive_search.setup = args.with_assumed_launch(request, drive_search.setup)?;
+        let found = drive_search.optimum()?;
         found.check_converged()?;
         note(&found.message().in_units(system()));
         Ok(Self {
             setup: found.setup,
             best: Some(found),
-            origin: drive.origin(request),
+            origin: drive_search.origin(request),
         })
     }
 }

@@ -7,7 +7,7 @@ use crate::{Drive, Outcome, Result};
 
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.request()?;
-    let setup = request.within_tolerance(request.setup()?)?;
+    let setup = request.setup_within_tolerance()?;
     warn(setup.drive_warnings(Outcome::ALL));
     let drive = Drive::new(&setup)?;
     let report = DriveReport::new(&setup, &drive);

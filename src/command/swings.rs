@@ -76,7 +76,7 @@ impl SwingsArgs {
         is_resampled: bool,
     ) -> Result<SwingsRequest> {
         note_replaced(request, &swings);
-        let setup = request.with_values(
+        let setup = request.fill_missing(
             request.partial_setup,
             swings.parameters().into_iter().zip(swings.means()),
             "varies about",

@@ -67,7 +67,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let means = inputs
         .iter()
         .map(|input| (input.parameter, input.distribution.mean()));
-    let setup = request.with_values(setup, means, "varies about")?;
+    let setup = request.fill_missing(setup, means, "varies about")?;
     let setup = request.for_many(
         setup,
         &inputs.iter().map(Uncertain::range).collect::<Vec<_>>(),

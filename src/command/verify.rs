@@ -45,7 +45,7 @@ pub fn note_missing_outcomes(certificate: &Certificate) {
 
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let setup = request.within_tolerance(request.setup()?)?;
+    let setup = request.setup_within_tolerance()?;
     let of = outcomes(&args.of)?;
     let wrt = variables(&setup, &args.wrt, &of)?;
     let work = interrupt::enable("stopping after the parameters under way");

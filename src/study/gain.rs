@@ -1,6 +1,6 @@
 //! The part of an optimum's gain that a change of the club alone achieves.
 
-use super::optimum::{ExtraStart, LocalOptimum, Optima, Optimum, optimum};
+use super::optimum::{LocalOptimum, Optima, Optimum, optimum};
 use super::search::Search;
 use crate::error::Result;
 use crate::json::numbers_by_name;
@@ -41,23 +41,22 @@ fn varied<S: Serializer>(optimum: &Optimum, serializer: S) -> std::result::Resul
 const ROUNDING: f64 = 1e-9;
 
 impl Optima {
-    /// The best value that club and ball achieve with the swing as set up; see [`club_alone`]. If a
-    /// search from there finds a better optimum, that optimum becomes [`best`](Self::best), and its
-    /// start is the [`extra`](Self::extra) one.
+    /// Replaces [`best`](Self::best) as [`improve_from_club_alone`] does. A better optimum has an
+    /// [extra start](Self::has_extra_start).
     ///
     /// # Errors
-    /// The errors of [`club_alone`].
-    pub fn club_alone(&mut self) -> Result<Option<ClubAlone>> {
+    /// The errors of [`improve_from_club_alone`].
+    pub fn improve_from_club_alone(&mut self) -> Result<Option<ClubAlone>> {
         let value = self.best.value();
-        let club = club_alone(&mut self.best)?;
+        let club = improve_from_club_alone(&mut self.best)?;
         if self.best.value() == value {
             return Ok(club);
         }
-        let extra = self.extra.replace(ExtraStart::ClubAlone);
-        if extra.is_some() {
-            // an earlier extra start no longer leads to the best optimum
+        if self.has_extra_start {
+            // the earlier extra start no longer leads to the best optimum
             self.locals.remove(0);
         }
+        self.has_extra_start = true;
         let local = LocalOptimum {
             solution: self.best.solution.clone(),
             value: self.best.value(),
@@ -68,9 +67,9 @@ impl Optima {
     }
 }
 
-/// The best value that club and ball achieve with the swing as set up. If it is better than `best`
-/// and within the ranges of the search, a search starts there, and its result replaces `best`.
-/// `None` in these cases:
+/// Replaces `best` if a search from the optimum of the club alone finds a better optimum: if club
+/// and ball, with the swing as set up, are better than `best` and within the ranges of the search, a
+/// search starts there. Returns the value that club and ball achieve alone; `None` in these cases:
 ///
 /// - `best` has not converged;
 /// - the search is over swings;
@@ -81,7 +80,7 @@ impl Optima {
 ///
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum).
-pub fn club_alone(best: &mut Optimum) -> Result<Option<ClubAlone>> {
+pub fn improve_from_club_alone(best: &mut Optimum) -> Result<Option<ClubAlone>> {
     let is_of_swing = |vary: &Vary| {
         let group = vary.parameter.group;
         matches!(group, ParameterGroup::Swing | ParameterGroup::Strike)

@@ -42,14 +42,14 @@ pub use face::Face;
 pub use flatness::{
     Direction, Ellipse, Flatness, Window, WindowLimit, flatness, short_drive, usual_loss, windows,
 };
-pub use gain::{ClubAlone, club_alone};
+pub use gain::{ClubAlone, improve_from_club_alone};
 pub use goal::{Constraint, ConstraintAtEnd, Goal};
 pub use landing::Landing;
 pub use launches::{Launches, NamedLaunch};
 pub use lofts::{LOFT_OUTCOMES, lofts};
 pub use map::{Fineness, Map, Slope, map};
 pub use named_drive::{DriveRole, NamedDrive};
-pub use optimum::{ExtraStart, LocalOptimum, Optima, Optimum, optima, optimum};
+pub use optimum::{LocalOptimum, Optima, Optimum, optima, optimum};
 pub use optimum_analysis::{OptimumAnalysis, OptimumWindows};
 pub use plane::Plane;
 pub use region::Region;

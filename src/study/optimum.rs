@@ -169,18 +169,10 @@ pub struct Optima {
     pub locals: Vec<LocalOptimum>,
     /// The number of starts that were requested.
     pub requested: usize,
-    /// A further start that led to the best optimum, if there is one. Its index in
+    /// True if a start that was not requested led to the best optimum: a point of the [`Sample`],
+    /// or the optimum of the club alone with the swing as set up. Its index in
     /// [`LocalOptimum::starts`] follows those of the requested starts.
-    pub extra: Option<ExtraStart>,
-}
-
-/// A start that was not requested.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ExtraStart {
-    /// A point of the [`Sample`].
-    SamplePoint,
-    /// The optimum of the club alone, with the swing as set up.
-    ClubAlone,
+    pub has_extra_start: bool,
 }
 
 impl Optima {
@@ -191,7 +183,7 @@ impl Optima {
 
     /// The number of starts, with the further one.
     pub fn starts(&self) -> usize {
-        self.requested + usize::from(self.extra.is_some())
+        self.requested + usize::from(self.has_extra_start)
     }
 
     /// True if no search was interrupted and the best one converged.
@@ -401,7 +393,7 @@ impl Study {
         let from = starts(domain, &self.problem.start(), count)?;
         let mut locals = minimize_from(&self.problem, domain, &from, &search.options, follow)?;
         let mut sample = None;
-        let mut extra = None;
+        let mut has_extra_start = false;
         let is_interrupted = |local: &LocalMinimum| local.solution.status == Status::Interrupted;
         if !locals.iter().any(is_interrupted)
             && let Some(mut best) = locals.first().map(|local| local.solution.clone())
@@ -413,7 +405,7 @@ impl Study {
                     starts: vec![count],
                 };
                 locals.insert(0, improved);
-                extra = Some(ExtraStart::SamplePoint);
+                has_extra_start = true;
             }
         }
         let (best, locals) = self.best_and_locals(locals, sample)?;
@@ -421,7 +413,7 @@ impl Study {
             best,
             locals,
             requested: count,
-            extra,
+            has_extra_start,
         })
     }
 
@@ -501,7 +493,7 @@ impl Study {
         let setup = self.problem.setup_at(&solution.x)?;
         let mut drive = None;
         let mut beyond_strokes = None;
-        let start = self.problem.set_up;
+        let start = self.problem.as_given;
         let mut drive_as_set_up = None;
         if solution.value.is_some() {
             if self.problem.search.scenarios.is_one_drive() {

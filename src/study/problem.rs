@@ -30,15 +30,15 @@ use std::sync::{Arc, Mutex};
 /// ([`values`](Self::values)).
 pub(super) struct SearchProblem {
     /// The setup as given.
-    pub set_up: Setup<f64>,
+    pub as_given: Setup<f64>,
     /// The setup with a value for every varied parameter.
-    setup: Setup<f64>,
+    started: Setup<f64>,
     pub search: Search,
-    pub vary: Vec<&'static Parameter>,
-    /// The outcomes of a drive that the goals need. If `is_of_outcomes`, outcome k is goal k.
+    /// The varied parameters.
+    pub parameters: Vec<&'static Parameter>,
+    /// The outcomes of a drive that the goals need. If every goal is an outcome of one drive,
+    /// outcome k is goal k.
     outcomes: Vec<Outcome>,
-    /// True if every goal is an outcome of one drive.
-    is_of_outcomes: bool,
     /// An evaluator for each scenario.
     drives: Vec<Evaluator>,
     /// Indices of the scenarios for which second derivatives are computed, in ascending order.
@@ -85,7 +85,7 @@ impl SearchProblem {
     /// The errors of [`new`](Self::new).
     pub fn of_goals(setup: &Setup<f64>, search: Search, stop: &Arc<AtomicBool>) -> Result<Self> {
         let domain = search.domain()?;
-        let vary: Vec<_> = search.parameters().collect();
+        let parameters: Vec<_> = search.parameters().collect();
         let scenarios = &search.scenarios;
         refuse_distributed(&search)?;
         let is_of_outcomes = search.is_of_outcomes();
@@ -95,7 +95,7 @@ impl SearchProblem {
                 outcomes.push(outcome);
             }
         }
-        let begun = Vary::initialized(setup, &search.vary)?;
+        let started = Vary::initialized(setup, &search.vary)?;
         // if a goal has a kink or jump, all scenarios are used: the second derivatives depend on
         // the few drives near the kink or jump, which a subset does not represent
         let (subset, multiplicities) = if search.goals().any(Goal::has_edge) {
@@ -105,8 +105,8 @@ impl SearchProblem {
             subset_of(scenarios)
         };
         let evaluator = |point: &Vec<f64>| {
-            let setup = begun.with_values(&scenarios.parameters, point)?;
-            Evaluator::new(&setup, &outcomes, &vary, Order::Second)
+            let setup = started.with_values(&scenarios.parameters, point)?;
+            Evaluator::new(&setup, &outcomes, &parameters, Order::Second)
         };
         // report the error of the first scenario, independently of the threads
         let drives = each_until(&scenarios.points, stop, evaluator)
@@ -114,12 +114,11 @@ impl SearchProblem {
             .into_iter()
             .collect::<Result<Vec<_>>>()?;
         Ok(Self {
-            set_up: *setup,
-            setup: begun,
+            as_given: *setup,
+            started,
             search,
-            vary,
+            parameters,
             outcomes,
-            is_of_outcomes,
             drives,
             subset,
             multiplicities,
@@ -144,29 +143,34 @@ impl SearchProblem {
     /// Start of the search: the setup's own values of the varied parameters. A parameter without a
     /// value starts in the middle of its range.
     pub fn start(&self) -> Vec<f64> {
-        let own = |parameter: &&'static Parameter| self.setup.value(parameter);
-        self.vary.iter().filter_map(own).collect()
+        let own = |parameter: &&'static Parameter| self.started.value(parameter);
+        self.parameters.iter().filter_map(own).collect()
     }
 
     /// The setup with the varied parameters set to `x`. The swing is the setup's own, not the swing
     /// of a scenario.
     pub fn setup_at(&self, x: &[f64]) -> Result<Setup<f64>> {
-        self.setup.with_values(&self.vary, x)
+        self.started.with_values(&self.parameters, x)
     }
 
     /// Evaluator of the goals' outcomes without derivatives, for a search over one drive.
     pub fn evaluator(&self) -> Result<Evaluator> {
-        Evaluator::new(&self.setup, &self.outcomes, &self.vary, Order::Value)
+        Evaluator::new(
+            &self.started,
+            &self.outcomes,
+            &self.parameters,
+            Order::Value,
+        )
     }
 
     /// Batch of the goals' outcomes, for a search over one drive.
     pub fn batch(&self) -> Result<Batch> {
-        Batch::new(&self.setup, &self.vary, &self.outcomes, &[])
+        Batch::new(&self.started, &self.parameters, &self.outcomes, &[])
     }
 
     /// Values of the goals at `x`, for a search over one drive. `outcomes` are those of the drive.
     pub fn goals_of(&self, x: &[f64], outcomes: Vec<f64>) -> Vec<f64> {
-        if self.is_of_outcomes {
+        if self.search.is_of_outcomes() {
             return outcomes;
         }
         let columns: Vec<Vec<f64>> = outcomes.into_iter().map(|value| vec![value]).collect();
@@ -177,7 +181,7 @@ impl SearchProblem {
     /// and by one more parameter, for a search over one drive. Of the second derivatives, only
     /// those that involve the additional parameter are computed; the others are 0.
     pub fn evaluate_with(&self, x: &[f64], parameter: &'static Parameter) -> Result<Evaluation> {
-        let wrt: Vec<_> = self.vary.iter().copied().chain([parameter]).collect();
+        let wrt: Vec<_> = self.parameters.iter().copied().chain([parameter]).collect();
         let goals = derivative::last_hessian_row(&self.setup_at(x)?, &self.outcomes, &wrt)?;
         Ok(self.as_functions(goals))
     }
@@ -283,10 +287,10 @@ impl SearchProblem {
         let (value, place) = match measure {
             Measure::One => (1.0, None),
             Measure::Parameter(parameter) => {
-                let place = self.vary.iter().position(|vary| vary == parameter);
+                let place = self.parameters.iter().position(|vary| vary == parameter);
                 (
                     place.map_or_else(
-                        || self.setup.value_or_unset(parameter).unwrap_or(f64::NAN),
+                        || self.started.value_or_unset(parameter).unwrap_or(f64::NAN),
                         |place| x[place],
                     ),
                     place,
@@ -385,7 +389,7 @@ impl SearchProblem {
     /// # Errors
     /// The errors of [`values`](Self::values).
     pub fn goals_as_set_up(&self) -> Result<Vec<f64>> {
-        self.goals_of_setup(&self.set_up, &self.values_as_set_up(), &self.stop)
+        self.goals_of_setup(&self.as_given, &self.values_as_set_up(), &self.stop)
     }
 
     /// Exact values of the goals of a setup with the design `x`, with `weights` for the scenarios.
@@ -423,8 +427,8 @@ impl SearchProblem {
     /// Values of the varied parameters in the setup as given. A parameter without a value has the
     /// value of [`Parameter::unset`], or NaN if that is `None`.
     pub fn values_as_set_up(&self) -> Vec<f64> {
-        let own = |parameter: &&'static Parameter| self.set_up.value_or_unset(parameter);
-        let values = self.vary.iter().map(own);
+        let own = |parameter: &&'static Parameter| self.as_given.value_or_unset(parameter);
+        let values = self.parameters.iter().map(own);
         values.map(|value| value.unwrap_or(f64::NAN)).collect()
     }
 
@@ -547,7 +551,7 @@ impl SearchProblem {
     /// products of gradients, which use all drives, and terms with second derivatives, which use
     /// only the drives in `subset`.
     pub fn weighted(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
-        if let ([drive], true) = (self.drives.as_slice(), self.is_of_outcomes) {
+        if let ([drive], true) = (self.drives.as_slice(), self.search.is_of_outcomes()) {
             let goals = drive.at(x).map_err(|error| error.to_string())?;
             return Ok(self.as_functions(goals));
         }

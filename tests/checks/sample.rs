@@ -6,7 +6,7 @@ use crate::random::Random;
 use longdrive::batch::Batch;
 use longdrive::optimize::{Observer, Observers, Status};
 use longdrive::parameters::PRESETS;
-use longdrive::study::{Constraint, ExtraStart, Search, Sense, Vary, optima, optimum};
+use longdrive::study::{Constraint, Search, Sense, Vary, optima, optimum};
 use longdrive::{Outcome, Setup};
 
 /// Parameters that are varied, each with its widest range, SI.
@@ -232,9 +232,9 @@ fn a_search_from_the_club_alone_is_a_further_start() {
         ..Search::longest_drive(&setup).unwrap()
     };
     let mut found = optima(&setup, &search, 1, &Observers::default()).unwrap();
-    assert_eq!((found.starts(), found.extra), (1, None));
-    found.club_alone().unwrap();
-    assert_eq!(found.extra, Some(ExtraStart::ClubAlone));
+    assert_eq!((found.starts(), found.has_extra_start), (1, false));
+    found.improve_from_club_alone().unwrap();
+    assert!(found.has_extra_start);
     let starts: Vec<_> = found.locals.iter().map(|local| &local.starts[..]).collect();
     assert_eq!(starts, [[1], [0]]);
     assert_eq!((found.starts(), found.stopped()), (2, 0));

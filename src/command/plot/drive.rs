@@ -80,7 +80,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
         .inputs()
         .chain(after.iter().flat_map(Request::inputs));
     let target = PlotDestination::new(inputs, &args.drawing)?;
-    if let (Some(_), Some(option)) = (&after, args.search.given().next()) {
+    if let (Some(_), Some(option)) = (&after, args.search.stated().next()) {
         let source = "`after` gives the other design, so no optimum is searched for; leave one of the two \
              out";
         return Err(Error::unreadable(option, source));
@@ -270,9 +270,9 @@ pub struct DrawnOptimum {
 
 impl DrawnOptimum {
     /// The optimum of a search. Warns if the search finds none; the plot then shows only the drive.
-    pub fn of(request: &Request, drive: &DriveSearch, args: &SearchArgs) -> Result<Self> {
-        let origin = drive.origin(request);
-        let best = drive.optimum()?;
+    pub fn of(request: &Request, drive_search: &DriveSearch, args: &SearchArgs) -> Result<Self> {
+        let origin = drive_search.origin(request);
+        let best = drive_search.optimum()?;
         if best.is_converged() {
             return Ok(Self {
                 best: Some(best),
@@ -283,7 +283,7 @@ impl DrawnOptimum {
         let (status, message) = (best.status(), best.message());
         let reason = Message::from(format!("no optimum is drawn: {status}: "));
         warn([reason.message(message.clone())]);
-        let ending = match args.given().next() {
+        let ending = match args.stated().next() {
             Some(_) => Ending {
                 status,
                 message: Some(message.to_string()),
@@ -303,7 +303,7 @@ impl DrawnOptimum {
 fn setup_and_optimum(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, DrawnOptimum)> {
     let setup = request.setup()?;
     let reason = search.nothing_to_vary(request)?;
-    if let Some(reason) = reason.filter(|_| search.given().next().is_none()) {
+    if let Some(reason) = reason.filter(|_| search.stated().next().is_none()) {
         note(&format!("no optimum is drawn: {reason}"));
         let none = DrawnOptimum {
             best: None,
@@ -312,9 +312,9 @@ fn setup_and_optimum(request: &Request, search: &SearchArgs) -> Result<(Setup<f6
         };
         return Ok((request.for_many(setup, &[])?, none));
     }
-    let drive = search.of_drive(request, None, None)?;
+    let drive_search = search.of_drive(request, None, None)?;
     // before the search, refuse a drive that does not land: the plot needs its landing
-    Drive::new(&drive.setup)?.landed()?;
-    let drawn = DrawnOptimum::of(request, &drive, search)?;
-    Ok((drive.setup, drawn))
+    Drive::new(&drive_search.setup)?.landed()?;
+    let drawn = DrawnOptimum::of(request, &drive_search, search)?;
+    Ok((drive_search.setup, drawn))
 }

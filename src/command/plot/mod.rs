@@ -67,7 +67,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(request.inputs(), &args.drawing)?.about(request.origin());
-    let setup = request.within_tolerance(request.setup()?)?;
+    let setup = request.setup_within_tolerance()?;
     let flown = NamedDrive::new(DriveRole::Alone, &setup)?;
     flown.drive.landed()?;
     let figure = trajectory_figure(&[flown], args.view, system()).map_err(|error| match error {
@@ -83,10 +83,11 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
 fn contour(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(request.inputs(), &args.drawing)?;
-    let drive = args.search.of_drive(&request, None, None)?;
-    let DriveSearch { setup, search, .. } = &drive;
+    let drive_search = args.search.of_drive(&request, None, None)?;
+    let DriveSearch { setup, search, .. } = &drive_search;
     let spinner = spinner("computing the map");
-    let MappedOptimum { found, around, map } = MappedOptimum::of(&request, &drive, &args.search)?;
+    let MappedOptimum { found, around, map } =
+        MappedOptimum::of(&request, &drive_search, &args.search)?;
     let target = target.ended(found.ending).about(found.origin);
     if let Some(flat) = map.flat() {
         let reason = format!("{flat}; vary parameters that change it");
@@ -129,8 +130,8 @@ struct MappedOptimum {
 }
 
 impl MappedOptimum {
-    fn of(request: &Request, drive: &DriveSearch, args: &SearchArgs) -> Result<Self> {
-        let DriveSearch { setup, search, .. } = drive;
+    fn of(request: &Request, drive_search: &DriveSearch, args: &SearchArgs) -> Result<Self> {
+        let DriveSearch { setup, search, .. } = drive_search;
         let [across, up, ..] = search.vary[..] else {
             let reason = format!(
                 "a map needs two parameters; give `vary` twice, for example {}",
@@ -139,7 +140,7 @@ impl MappedOptimum {
             let name = "`vary`".into();
             return Err(Error::SearchRange { name, reason });
         };
-        let found = DrawnOptimum::of(request, drive, args)?;
+        let found = DrawnOptimum::of(request, drive_search, args)?;
         let around = match &found.best {
             Some(best) => best.setup,
             None => Vary::initialized(setup, &search.vary)?,
@@ -172,8 +173,8 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let target = PlotDestination::new(request.inputs(), &args.drawing)?;
     let along = Vary::read_column(&request.partial_setup, &args.along)?;
     request.refuse_stated_besides_launch(&[along.parameter], "`along` gives its values")?;
-    let drive = args.search.of_drive(&request, Some(along), None)?;
-    let DriveSearch { setup, search, .. } = &drive;
+    let drive_search = args.search.of_drive(&request, Some(along), None)?;
+    let DriveSearch { setup, search, .. } = &drive_search;
     let shown = shown_curve(args, search)?;
     let bar = bar("optima");
     let chart = chart(setup, search, along, &[], &counted_points(&bar));
@@ -196,7 +197,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let figures = chart_figures(&chart, &on, system());
     let figure = figure_of(&figures, search, shown, &target)?;
     let warnings = [setup.drive_warnings(&[]), chart.warnings()].concat();
-    let target = target.about(drive.origin(&request));
+    let target = target.about(drive_search.origin(&request));
     target.write(figure, warnings)
 }
 
@@ -262,7 +263,7 @@ fn figure_of<'a>(
 fn tornado(args: &PlotTornado) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(request.inputs(), &args.drawing)?.about(request.origin());
-    let setup = request.within_tolerance(request.setup()?)?;
+    let setup = request.setup_within_tolerance()?;
     let setup = request.with_assumed_launch(setup)?;
     let of = Outcome::named(&args.of)?;
     let given = sigmas(&setup, &args.sigma)?;
@@ -301,7 +302,7 @@ fn difference(args: &PlotCompare) -> Result<Answer> {
 fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(request.inputs(), &args.drawing)?.about(request.origin());
-    let setup = request.within_tolerance(request.setup()?)?;
+    let setup = request.setup_within_tolerance()?;
     let of = outcomes(&args.derivatives.of)?;
     let wrt = args.derivatives.variables(&setup, &of)?;
     let certificate = with_bar("parameters", |show| {

@@ -183,7 +183,7 @@ impl Request {
         ranges: impl IntoIterator<Item = &'a String>,
     ) -> Result<Setup<f64>> {
         let starts = self.starts(&setup, ranges)?;
-        self.with_values(setup, starts, "begins at")
+        self.fill_missing(setup, starts, "begins at")
     }
 
     /// The start values of the varied parameters that have no value in this setup.
@@ -216,7 +216,7 @@ impl Request {
     ///
     /// # Errors
     /// The errors of [`setup`](Self::setup).
-    pub fn with_values(
+    pub fn fill_missing(
         &self,
         mut setup: Setup<f64>,
         values: impl IntoIterator<Item = (&'static Parameter, f64)>,

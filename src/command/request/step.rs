@@ -52,19 +52,20 @@ impl Request {
     /// option, the step is unchanged. Warns of given values that have no effect.
     ///
     /// # Errors
-    /// The errors of [`integration`](Self::integration).
-    pub fn within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
-        warn_of_idle(self.given(), &[setup]);
-        self.one_of_two_within_tolerance(setup)
+    /// The errors of [`setup`](Self::setup) and [`integration`](Self::integration).
+    pub fn setup_within_tolerance(&self) -> Result<Setup<f64>> {
+        warn_of_idle(self.given(), &[self.setup()?]);
+        self.one_of_two_within_tolerance()
     }
 
-    /// Like [`within_tolerance`](Self::within_tolerance), for one of two drives to compare. Does
-    /// not warn of values without an effect on this drive: they may have an effect on the other
-    /// drive.
+    /// Like [`setup_within_tolerance`](Self::setup_within_tolerance), for one of two drives to
+    /// compare. Does not warn of values without an effect on this drive: they may have an effect on
+    /// the other drive.
     ///
     /// # Errors
-    /// The errors of [`integration`](Self::integration).
-    pub fn one_of_two_within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
+    /// The errors of [`setup`](Self::setup) and [`integration`](Self::integration).
+    pub fn one_of_two_within_tolerance(&self) -> Result<Setup<f64>> {
+        let setup = self.setup()?;
         match self.step {
             StepChoice::Within(_) => {
                 let found = self.integration(&setup, &[], &of_the_flight())?;

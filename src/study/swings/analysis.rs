@@ -188,7 +188,7 @@ fn goal_errors(
                     scenarios,
                     ..search.clone()
                 };
-                SearchProblem::new(&problem.set_up, search, &problem.stop)
+                SearchProblem::new(&problem.as_given, search, &problem.stop)
             });
             Some(problem.and_then(|problem| problem.values(x)))
         }

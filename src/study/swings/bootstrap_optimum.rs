@@ -138,8 +138,11 @@ fn search_resample(
         let setup = problem.setup_at(x).ok()?;
         objective(problem.weighted_values(&setup, x, &weights))
     };
-    let own =
-        objective(problem.weighted_values(&problem.set_up, &problem.values_as_set_up(), &weights));
+    let own = objective(problem.weighted_values(
+        &problem.as_given,
+        &problem.values_as_set_up(),
+        &weights,
+    ));
     let sign = best.search.sense.sign();
     let gain = value(x).zip(own).map(|(best, own)| -sign * (best - own));
     let weighted = |x: &[f64]| problem.weighted(x, &weights);

@@ -111,7 +111,7 @@ impl GoalFunction {
 
     /// The parameters of the function, in the order of its arguments and derivatives.
     pub fn parameters(&self) -> &[&'static Parameter] {
-        &self.problem.vary
+        &self.problem.parameters
     }
 
     /// The goal at these values of the parameters, SI, with derivatives up to `order`.

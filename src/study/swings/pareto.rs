@@ -234,7 +234,7 @@ impl ParetoSearch {
             ..problem.search.clone()
         };
         let own = problem.domain.variables.project(&problem.start());
-        match optimum(&problem.set_up, search, follow.of_search(function)) {
+        match optimum(&problem.as_given, search, follow.of_search(function)) {
             Ok(best) if best.is_converged() => Ok(vec![own, best.solution.x]),
             Ok(_) | Err(Error::NotConverged { .. }) => Ok(vec![own]),
             Err(error) => Err(error),
