@@ -58,8 +58,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let comparison = args.pair.comparison(&requests)?;
     warn(comparison.warnings(Outcome::ALL));
     let origin = origin(&requests);
-    let is_json = args.pair.setup_args.json;
-    if !is_json && !origin.advice.is_empty() {
+    if !is_json() && !origin.advice.is_empty() {
         note(&origin.advice);
     }
     let spinner = spinner("splitting the difference");

@@ -3,9 +3,8 @@ use crate::command::files::{Destination, OutputRule, ending};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, command_line, note, stated_system, system, warn};
-use crate::command::ranges::varied;
 use crate::command::request::{CommandSetting, LOFT, Request, Source};
-use crate::parameters::is_of_strike;
+use crate::parameters::{Vary, is_of_strike};
 use crate::report::{
     DeliveryReport, SetupOrigin, bound_warnings, delivery_setup, difference_warnings,
     parameter_difference_text, parameter_text, population_warnings, recovered_csv, recovered_toml,
@@ -301,7 +300,7 @@ fn idle_settings_warning(args: &Args, club: &Request) -> Option<Message> {
 /// The parameters to find, each with its prior. A stated club value counts as measured by a launch
 /// monitor, with the uncertainty of a launch monitor.
 fn read_unknowns(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Vec<Unknown>> {
-    let vary = varied(&args.vary, setup, || Ok(vec![]))?;
+    let vary = Vary::read_all(setup, &args.vary)?;
     let sigmas = sigmas(setup, &args.sigma)?;
     let measured = |unknown: Unknown| match setup.value(unknown.parameter) {
         Some(value) if request.states(unknown.parameter.name) => Unknown {

@@ -2,7 +2,7 @@
 
 use crate::command::args::{OptimizeArgs, SwingsArgs};
 use crate::command::output::Answer;
-use crate::command::ranges::DefaultRanges;
+use crate::command::ranges::SearchRanges;
 use crate::command::request::Request;
 use crate::command::swings::{SwingsRequest, optimize_and_write, search_over_swings};
 use crate::report::Designed;
@@ -61,13 +61,18 @@ pub fn run(args: &Args) -> Result<Answer> {
     )?;
     let over = swings_or_golfer(swings_args, &request)?;
     let started = request.with_starts(over.setup, &optimum.search.vary)?;
+    let ranges = match optimum.search.vary.is_empty() {
+        true => SearchRanges::usual(usual_vary(&started)?, &request),
+        false => SearchRanges::stated(&optimum.search.vary, &started)?,
+    };
+    let held = ranges.held();
     let requested = search_over_swings(
         &optimum.search,
         swings_args,
         &started,
         &over,
         Goal::read(GOAL, None)?,
-        || DefaultRanges::new(usual_vary(&started)?, &request).vary(),
+        ranges,
     )?;
     let SwingsRequest { setup, swings, .. } = over;
     request.note_starts(&setup, &requested.vary);
@@ -86,13 +91,9 @@ pub fn run(args: &Args) -> Result<Answer> {
     } else {
         vec![]
     };
-    let kept = match optimum.search.vary.is_empty() {
-        true => DefaultRanges::new(usual_vary(&found.setup)?, &request).kept(),
-        false => vec![],
-    };
     let origin = request
         .origin_of_search(&design.search.vary)
-        .with_held(&kept, &found.setup)
+        .with_held(&held, &found.setup)
         .with_stated(&swings_args.end_of_title());
     let designed = Designed::new(found.report(), &design, &found.setup, improvements, notes);
     let answer = Answer::report(&designed, &origin);

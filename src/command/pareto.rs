@@ -6,7 +6,7 @@ use crate::command::interrupt;
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, once_a_second, spinner, stated_system, system, warn};
 use crate::command::picture::{PictureArgs, PlotDestination};
-use crate::command::ranges::{DefaultRanges, varied};
+use crate::command::ranges::SearchRanges;
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::search::{of_a_drive, options};
@@ -180,9 +180,7 @@ fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Pareto
     let goals = args.goals(|option, text| goal(option, text, strokes))?;
     let of = goals.each_ref().map(|(goal, _)| goal);
     let subject_to = limits(&started, &args.subject_to, of, strokes)?;
-    let vary = varied(&args.vary, &started, || {
-        DefaultRanges::loft(request, &started)?.vary()
-    })?;
+    let vary = SearchRanges::over_swings(&args.vary, request, &started)?.vary()?;
     let mut search = ParetoSearch {
         goals,
         vary,
@@ -201,7 +199,7 @@ fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Pareto
 fn of_one_drive(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
     let started = request.with_starts(request.partial_setup, &args.vary)?;
     let goals = args.goals(|option, text| Ok(of_a_drive(option, text)?.into()))?;
-    let ranges = DefaultRanges::of_drive(&args.vary, request, &started, None)?;
+    let ranges = SearchRanges::of_drive(&args.vary, request, &started, None)?;
     let subject_to = args.subject_to.iter().map(|text| Constraint::read(text));
     let search = ParetoSearch {
         goals,

@@ -1,4 +1,4 @@
-//! The default ranges of a search: the parameters that a command varies without `--vary`.
+//! The ranges of a search: those of `--vary`, or the default ranges of a command.
 
 use crate::command::args::SwingsArgs;
 use crate::command::request::Request;
@@ -6,21 +6,6 @@ use crate::parameters::{Parameter, Vary};
 use crate::report::{SetupOrigin, setting_text};
 use crate::study::Search;
 use crate::{Error, Result, Setup};
-
-/// The ranges of `--vary`; without this option, the ranges that `usual` gives.
-///
-/// # Errors
-/// The errors of [`Vary::read`] and of `usual`.
-pub fn varied(
-    given: &[String],
-    setup: &Setup<f64>,
-    usual: impl FnOnce() -> Result<Vec<Vary>>,
-) -> Result<Vec<Vary>> {
-    match given {
-        [] => usual(),
-        given => given.iter().map(|text| Vary::read(setup, text)).collect(),
-    }
-}
 
 impl Request {
     /// The description of the setup for the first lines of the answer of a search over swings or
@@ -38,11 +23,11 @@ impl Request {
         swings: &SwingsArgs,
     ) -> Result<SetupOrigin> {
         // by default, a search over swings varies the loft, and is refused if the request states it
-        let kept = match given.is_empty() && !swings.is_given() {
-            true => DefaultRanges::longest_drive(self, setup)?.kept(),
+        let held = match given.is_empty() && !swings.is_given() {
+            true => SearchRanges::longest_drive(self, setup)?.held(),
             false => vec![],
         };
-        let origin = self.origin_of_search(vary).with_held(&kept, setup);
+        let origin = self.origin_of_search(vary).with_held(&held, setup);
         Ok(origin.with_stated(&swings.end_of_title()))
     }
 }
@@ -72,25 +57,38 @@ fn launch_ranges(setup: &Setup<f64>) -> [String; 2] {
     ]
 }
 
-/// The default ranges of a command. A parameter that the request states is not varied.
-pub struct DefaultRanges {
+/// The ranges of `--vary`, or the default ranges of a command without the parameters that the
+/// request states.
+pub struct SearchRanges {
     vary: Vec<Vary>,
-    /// The ranges of parameters that the request states; these are not varied.
-    kept: Vec<Vary>,
+    /// The default ranges of parameters that the request states; these are not varied.
+    held: Vec<Vary>,
     /// Ranges to suggest if nothing is left to vary, as arguments.
     examples: String,
 }
 
-impl DefaultRanges {
-    /// Separates the parameters to vary from the parameters that the request states.
-    pub fn new(ranges: Vec<Vary>, request: &Request) -> Self {
-        let (kept, vary): (Vec<_>, Vec<_>) = ranges
+impl SearchRanges {
+    /// The ranges of `--vary`, which `texts` are.
+    ///
+    /// # Errors
+    /// The errors of [`Vary::read`].
+    pub fn stated(texts: &[String], setup: &Setup<f64>) -> Result<Self> {
+        Ok(Self {
+            vary: Vary::read_all(setup, texts)?,
+            held: vec![],
+            examples: String::new(),
+        })
+    }
+
+    /// Default ranges without the parameters that the request states.
+    pub fn usual(ranges: Vec<Vary>, request: &Request) -> Self {
+        let (held, vary): (Vec<_>, Vec<_>) = ranges
             .into_iter()
             .partition(|range| request.states(range.parameter.name));
-        let examples = as_arguments(kept.iter().map(range_text));
+        let examples = as_arguments(held.iter().map(range_text));
         Self {
             vary,
-            kept,
+            held,
             examples,
         }
     }
@@ -103,11 +101,11 @@ impl DefaultRanges {
         if setup.launch.is_given() {
             return Ok(Self {
                 vary: vec![],
-                kept: vec![],
+                held: vec![],
                 examples: as_arguments(launch_ranges(setup)),
             });
         }
-        Ok(Self::new(Search::longest_drive(setup)?.vary, request))
+        Ok(Self::usual(Search::longest_drive(setup)?.vary, request))
     }
 
     /// The ranges of a search over one drive: those of `--vary` (`given`); without this option, the
@@ -122,12 +120,7 @@ impl DefaultRanges {
         along: Option<&Parameter>,
     ) -> Result<Self> {
         if !given.is_empty() {
-            let read = |text: &String| Vary::read(setup, text);
-            return Ok(Self {
-                vary: given.iter().map(read).collect::<Result<_>>()?,
-                kept: vec![],
-                examples: String::new(),
-            });
+            return Self::stated(given, setup);
         }
         let mut usual = Self::longest_drive(request, setup)?;
         usual.vary.retain(|range| Some(range.parameter) != along);
@@ -146,18 +139,30 @@ impl DefaultRanges {
         Ok(as_arguments(ranges.iter().map(range_text)))
     }
 
-    /// The loft alone, for a search over swings: there the attack angle varies from swing to swing.
+    /// The ranges of a search over swings: those of `--vary` (`given`); without this option, the
+    /// [loft](Self::loft).
+    ///
+    /// # Errors
+    /// The errors of [`Vary::read`] and of [`Search::longest_drive`].
+    pub fn over_swings(given: &[String], request: &Request, setup: &Setup<f64>) -> Result<Self> {
+        if !given.is_empty() {
+            return Self::stated(given, setup);
+        }
+        Self::loft(request, setup)
+    }
+
+    /// The loft alone: in a search over swings the attack angle varies from swing to swing.
     ///
     /// # Errors
     /// The errors of [`Search::longest_drive`].
-    pub fn loft(request: &Request, setup: &Setup<f64>) -> Result<Self> {
+    fn loft(request: &Request, setup: &Setup<f64>) -> Result<Self> {
         let loft = Search::longest_drive(setup)?.vary[0];
-        Ok(Self::new(vec![loft], request))
+        Ok(Self::usual(vec![loft], request))
     }
 
     /// The parameters that the search does not vary, because the request states them.
-    pub fn kept(&self) -> Vec<&'static Parameter> {
-        self.kept.iter().map(|range| range.parameter).collect()
+    pub fn held(&self) -> Vec<&'static Parameter> {
+        self.held.iter().map(|range| range.parameter).collect()
     }
 
     /// The reason why there is no range to vary, with examples of ranges; `None` if there is a
@@ -166,7 +171,7 @@ impl DefaultRanges {
         if !self.vary.is_empty() {
             return None;
         }
-        let names: Vec<_> = self.kept.iter().map(|range| range.parameter.name).collect();
+        let names: Vec<_> = self.held.iter().map(|range| range.parameter.name).collect();
         let examples = &self.examples;
         Some(match names.as_slice() {
             [] => format!(

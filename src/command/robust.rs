@@ -5,7 +5,7 @@ use crate::command::files::OutputRule;
 use crate::command::interrupt;
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, note_detail, spinner, system, warn};
-use crate::command::ranges::DefaultRanges;
+use crate::command::ranges::SearchRanges;
 use crate::command::request::{Request, replaced, warn_of_idle};
 use crate::command::search::allowed_loss;
 use crate::command::swings::{search_over_swings, swing_ranges};
@@ -145,20 +145,21 @@ impl Args {
         if self.swings.is_given() {
             let over = self.swings.request(request, false)?;
             let started = request.with_starts(over.setup, &self.search.vary)?;
+            let ranges = SearchRanges::over_swings(&self.search.vary, request, &started)?;
             let search = search_over_swings(
                 &self.search,
                 &self.swings,
                 &started,
                 &over,
                 Goal::mean(Outcome::Carry),
-                || DefaultRanges::loft(request, &started)?.vary(),
+                ranges,
             )?;
             note_the_run(&search.outcomes());
             request.note_starts(&over.setup, &search.vary);
             return Ok((over.setup, search));
         }
         let started = request.with_starts(request.partial_setup, &self.search.vary)?;
-        let ranges = DefaultRanges::of_drive(&self.search.vary, request, &started, None)?;
+        let ranges = SearchRanges::of_drive(&self.search.vary, request, &started, None)?;
         let search = self.search.search(request, &started, ranges.vary()?)?;
         Ok((request.partial_setup, search))
     }

@@ -6,7 +6,7 @@ use crate::command::host::{Progress, Work};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::note_the_run;
 use crate::command::output::{note, shown, system, warn};
-use crate::command::ranges::DefaultRanges;
+use crate::command::ranges::SearchRanges;
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::lock::lock;
@@ -74,12 +74,12 @@ impl SearchArgs {
         starts.extend(along.map(|along| (along.parameter, along.low)));
         let started = request.fill_missing(setup, starts, "begins at")?;
         let parameter = along.map(|along| along.parameter);
-        let ranges = DefaultRanges::of_drive(&self.vary, request, &started, parameter)?;
+        let ranges = SearchRanges::of_drive(&self.vary, request, &started, parameter)?;
         if let (Some(reason), Some(instead)) = (ranges.reason(), instead) {
             let source = format!("{reason}; {instead}");
             return Err(Error::unreadable("the search", source));
         }
-        let held = ranges.kept();
+        let held = ranges.held();
         let search = self.search(request, &started, ranges.vary()?)?;
         let ranges: Vec<_> = search.vary.iter().copied().chain(along).collect();
         Ok(DriveSearch {
@@ -118,12 +118,12 @@ impl SearchArgs {
     /// parameter.
     ///
     /// # Errors
-    /// The errors of [`DefaultRanges::longest_drive`].
+    /// The errors of [`SearchRanges::longest_drive`].
     pub fn nothing_to_vary(&self, request: &Request) -> Result<Option<String>> {
         if !self.vary.is_empty() {
             return Ok(None);
         }
-        Ok(DefaultRanges::longest_drive(request, &request.partial_setup)?.reason())
+        Ok(SearchRanges::longest_drive(request, &request.partial_setup)?.reason())
     }
 
     /// The objective and its sense. By default, `usual` is maximized. `read` takes the name and the

@@ -4,7 +4,7 @@ use crate::command::args::{OptimizeArgs, OptimumArgs, SearchArgs, SwingsArgs, st
 use crate::command::interrupt::{self, BEST_SO_FAR, InterruptibleWork};
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, note_each, system, warn};
-use crate::command::ranges::{DefaultRanges, varied};
+use crate::command::ranges::SearchRanges;
 use crate::command::request::Request;
 use crate::command::search::{options, write};
 use crate::parameters::Vary;
@@ -243,13 +243,14 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     let request = setup_args.request()?;
     let over = args.swings.request(&request, true)?;
     let started = request.with_starts(over.setup, &search.vary)?;
+    let ranges = SearchRanges::over_swings(&search.vary, &request, &started)?;
     let search = search_over_swings(
         search,
         &args.swings,
         &started,
         &over,
         Goal::mean(Outcome::Carry),
-        || DefaultRanges::loft(&request, &started)?.vary(),
+        ranges,
     )?;
     request.note_starts(&over.setup, &search.vary);
     let found = optimize_and_write(args, &request, over.setup, over.swings, search)?;
@@ -313,20 +314,20 @@ pub fn optimize_and_write(
     })
 }
 
-/// The search over swings. By default it maximizes `usual`, over the ranges of `usual_vary`.
+/// The search over swings. By default it maximizes `usual`.
 pub fn search_over_swings(
     search: &SearchArgs,
     swings: &SwingsArgs,
     setup: &Setup<f64>,
     over: &SwingsRequest,
     usual: Goal,
-    usual_vary: impl Fn() -> Result<Vec<Vary>>,
+    ranges: SearchRanges,
 ) -> Result<Search> {
     let strokes = swings.strokes()?;
     let strokes = strokes.as_ref();
     let read = |option: &str, text: &str| goal(option, text, strokes);
     let (of, sense) = search.objective(read, usual)?;
-    let vary = varied(&search.vary, setup, usual_vary)?;
+    let vary = ranges.vary()?;
     let subject_to = limits(setup, &search.subject_to, [&of], strokes)?;
     let mut search = Search {
         of,

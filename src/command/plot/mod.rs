@@ -13,7 +13,7 @@ use crate::command::names::{outcomes, sigmas};
 use crate::command::output::{Answer, bar, note, spinner, system, warn, with_bar};
 use crate::command::pareto;
 use crate::command::picture::PlotDestination;
-use crate::command::ranges::DefaultRanges;
+use crate::command::ranges::SearchRanges;
 use crate::command::request::Request;
 use crate::command::search::DriveSearch;
 use crate::command::verify::note_missing_outcomes;
@@ -135,7 +135,7 @@ impl MappedOptimum {
         let [across, up, ..] = search.vary[..] else {
             let reason = format!(
                 "a map needs two parameters; give `vary` twice, for example {}",
-                DefaultRanges::of_map(setup)?
+                SearchRanges::of_map(setup)?
             );
             let name = "`vary`".into();
             return Err(Error::SearchRange { name, reason });
