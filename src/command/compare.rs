@@ -1,6 +1,6 @@
 use crate::command::args::SetupArgs;
 use crate::command::names::outcomes;
-use crate::command::output::{Answer, note, note_error, spinner, warn};
+use crate::command::output::{Answer, is_json, note, note_error, spinner, warn};
 use crate::command::request::{CommandSetting, Request, Source, refuse_duplicates, warn_of_idle};
 use crate::report::{ComparisonReport, SetupOrigin};
 use crate::study::Comparison;

@@ -79,8 +79,11 @@ pub struct PlotDestination<'a> {
     drawing: &'a PictureArgs,
     format: PlotFormat,
     destination: Destination,
-    ending: Ending,
-    origin: SetupOrigin,
+    /// The status of the command. With a message, the plot does not show all that the request
+    /// states.
+    pub ending: Ending,
+    /// The setup of the plot. Its advice becomes a note, or a member of the JSON.
+    pub origin: SetupOrigin,
 }
 
 impl<'a> PlotDestination<'a> {
@@ -106,15 +109,9 @@ impl<'a> PlotDestination<'a> {
         })
     }
 
-    /// Sets the setup of the plot. Its advice becomes a note, or a member of the JSON.
+    /// Sets the setup of the plot.
     pub fn about(self, origin: SetupOrigin) -> Self {
         Self { origin, ..self }
-    }
-
-    /// Sets the status of the command. With a message, the plot does not show all that the request
-    /// states.
-    pub fn ended(self, ending: Ending) -> Self {
-        Self { ending, ..self }
     }
 
     /// The error if there is nothing to plot.

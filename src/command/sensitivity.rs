@@ -46,71 +46,51 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let of = outcomes(&args.of)?;
-    let AnalysedDrive {
-        setup,
-        best,
-        origin,
-    } = match args.at_optimum {
-        true => AnalysedDrive::at_optimum(args, &request)?,
-        false => AnalysedDrive::as_set_up(args, &request)?,
-    };
-    let given = sigmas(&setup, &args.sigma)?;
+    if args.at_optimum {
+        let instead = "without `at_optimum`, the answer is about the drive as stated";
+        let mut drive_search = args.search.of_drive(&request, None, Some(instead))?;
+        drive_search.setup = args.with_assumed_launch(&request, drive_search.setup)?;
+        let best = drive_search.optimum()?;
+        best.check_converged()?;
+        note(&best.message().in_units(system()));
+        let origin = drive_search.origin(&request);
+        return answer(args, &of, &best.setup, Some(&best), &origin);
+    }
+    let setup = request.setup_within_tolerance()?;
+    if let Some(option) = args.search.stated().next() {
+        let source = "it is an option of the search for an optimum; add `at_optimum`, or leave it \
+                      out";
+        return Err(Error::unreadable(option, source));
+    }
+    let setup = args.with_assumed_launch(&request, setup)?;
+    answer(args, &of, &setup, None, &request.origin())
+}
+
+/// The slopes and effects at a drive, which is that of the optimum `best` if there is one.
+fn answer(
+    args: &Args,
+    of: &[Outcome],
+    setup: &Setup<f64>,
+    best: Option<&Optimum>,
+    origin: &SetupOrigin,
+) -> Result<Answer> {
+    let given = sigmas(setup, &args.sigma)?;
     let sigmas = if args.no_defaults {
         given
     } else {
-        with_defaults(&setup, &given, &of)?
+        with_defaults(setup, &given, of)?
     };
-    let drive = Drive::new(&setup)?;
-    warn(drive.warnings_about(&setup, &of));
-    let found = with_bar("uncertainties", |show| effects(&setup, &of, &sigmas, show))?;
+    let drive = Drive::new(setup)?;
+    warn(drive.warnings_about(setup, of));
+    let found = with_bar("uncertainties", |show| effects(setup, of, &sigmas, show))?;
     // the report has no value where the drive at −σ or +σ is missing: warn with the reason
-    let unflown = found.first().map(|effects| unflown(&setup, &of, effects));
+    let unflown = found.first().map(|effects| unflown(setup, of, effects));
     warn(unflown.into_iter().flatten());
-    let slopes = best.as_ref().map(total_slopes).transpose()?;
+    let slopes = best.map(total_slopes).transpose()?;
     warn(slopes.iter().flat_map(|slopes| missing_slopes(slopes)));
     let totals = slopes.as_deref().unwrap_or_default();
-    let report = EffectsReport::new(&found, best.as_ref(), totals);
-    Ok(Answer::report(&report, &origin))
-}
-
-/// The drive whose slopes and effects are computed.
-struct AnalysedDrive {
-    setup: Setup<f64>,
-    /// The optimum, with `--at-optimum`.
-    best: Option<Optimum>,
-    origin: SetupOrigin,
-}
-
-impl AnalysedDrive {
-    /// The drive of the request. Refuses options of a search.
-    fn as_set_up(args: &Args, request: &Request) -> Result<Self> {
-        let setup = request.setup_within_tolerance()?;
-        if let Some(option) = args.search.stated().next() {
-            let source = "it is an option of the search for an optimum; add `at_optimum`, or leave \
-                          it out";
-            return Err(Error::unreadable(option, source));
-        }
-        Ok(Self {
-            setup: args.with_assumed_launch(request, setup)?,
-            best: None,
-            origin: request.origin(),
-        })
-    }
-
-    /// The optimum of the search of the request.
-    fn at_optimum(args: &Args, request: &Request) -> Result<Self> {
-        let instead = "without `at_optimum`, the answer is about the drive as stated";
-        let mut drive_search = args.search.of_drive(request, None, Some(instead))?;
-        drive_search.setup = args.with_assumed_launch(request, drive_search.setup)?;
-        let found = drive_search.optimum()?;
-        found.check_converged()?;
-        note(&found.message().in_units(system()));
-        Ok(Self {
-            setup: found.setup,
-            best: Some(found),
-            origin: drive_search.origin(request),
-        })
-    }
+    let report = EffectsReport::new(&found, best, totals);
+    Ok(Answer::report(&report, origin))
 }
 
 impl Args {

@@ -9,7 +9,7 @@ use crate::command::request::{Request, Source};
 use crate::command::search::DriveSearch;
 use crate::report::figures::{face_figure, fairway_figure, launches_figure, strikes_figure};
 use crate::report::plot::Figure;
-use crate::report::{Ending, SetupOrigin, computed_text, with_constraints};
+use crate::report::{Ending, computed_text, with_constraints};
 use crate::study::{
     Cause, DriveRole, Face, Landing, Launches, NamedDrive, Optimum, causes, with_defaults,
 };
@@ -18,10 +18,8 @@ use crate::{Drive, Error, Outcome, Result, Setup};
 
 pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = PlotDestination::new(request.inputs(), &args.drawing)?;
-    let (setup, found) = setup_and_optimum(&request, &args.search)?;
-    let target = target.ended(found.ending).about(found.origin);
-    let best = found.best;
+    let mut target = PlotDestination::new(request.inputs(), &args.drawing)?;
+    let (setup, best) = setup_and_optimum(&mut target, &request, &args.search)?;
     let setup = request.with_assumed_launch(setup)?;
     let given = sigmas(&setup, &args.sigma)?;
     let of = [Outcome::Carry, Outcome::Lateral];
@@ -43,10 +41,8 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
 
 pub fn launches(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = PlotDestination::new(request.inputs(), &args.drawing)?;
-    let (setup, found) = setup_and_optimum(&request, &args.search)?;
-    let target = target.ended(found.ending).about(found.origin);
-    let best = found.best;
+    let mut target = PlotDestination::new(request.inputs(), &args.drawing)?;
+    let (setup, best) = setup_and_optimum(&mut target, &request, &args.search)?;
     let optimum = best.iter().map(|best| (DriveRole::Optimum, &best.setup));
     let drives: Vec<_> = std::iter::once((DriveRole::AsSetUp, &setup))
         .chain(optimum)
@@ -79,93 +75,54 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
     let inputs = request
         .inputs()
         .chain(after.iter().flat_map(Request::inputs));
-    let target = PlotDestination::new(inputs, &args.drawing)?;
+    let mut target = PlotDestination::new(inputs, &args.drawing)?;
     if let (Some(_), Some(option)) = (&after, args.search.stated().next()) {
         let source = "`after` gives the other design, so no optimum is searched for; leave one of the two \
              out";
         return Err(Error::unreadable(option, source));
     }
     refuse_launch(&request.setup()?, &target)?;
-    let designs = match &after {
-        Some(after) => Designs::before_and_after(&request, after, &target)?,
-        None => Designs::with_optimum(&request, &args.search)?,
-    };
-    let Designs {
-        setup,
-        other,
-        best,
-        difference_warnings,
-        ending,
-        origin,
-    } = designs;
-    let target = target.ended(ending).about(origin);
-    let names = other
-        .as_ref()
-        .map_or([NamedDrive::AS_SET_UP, ""], |(names, _)| *names);
+    let mut best = None;
+    let mut difference_warnings = vec![];
+    let mut designs = vec![];
+    if let Some(after) = &after {
+        target.origin = request.origin();
+        let [before, after] = before_and_after(&request, after, &target)?;
+        difference_warnings = other_differences(&before, &after);
+        designs.extend([("before", before), ("after", after)]);
+    } else {
+        let (setup, found) = setup_and_optimum(&mut target, &request, &args.search)?;
+        designs.push((NamedDrive::AS_SET_UP, setup));
+        designs.extend(found.iter().map(|best| (NamedDrive::OPTIMUM, best.setup)));
+        best = found;
+    }
     let spinner = spinner("computing strikes");
-    let faces = std::iter::once(&setup)
-        .chain(other.iter().map(|(_, other)| other))
-        .map(Face::of);
+    let faces = designs.iter().map(|(_, setup)| Face::of(setup));
     let faces = faces.collect::<Result<Vec<_>>>()?;
     spinner.finish();
-    let designs: Vec<_> = names.into_iter().zip(&faces).collect();
-    let figure = strikes_figure(&designs, system()).ok_or(Error::Nothing {
+    let names = designs.iter().map(|(name, _)| *name);
+    let faces: Vec<_> = names.zip(&faces).collect();
+    let figure = strikes_figure(&faces, system()).ok_or(Error::Nothing {
         doing: "draw",
         what: "design",
     })?;
     let figure = with_optimum(figure, best.as_ref());
-    let mut warnings = warnings(&setup, best.as_ref(), &Face::OUTCOMES);
+    let mut warnings = warnings(&designs[0].1, best.as_ref(), &Face::OUTCOMES);
     warnings.extend(difference_warnings);
     target.write(&figure, warnings)
 }
 
-/// The designs of a plot of strikes.
-struct Designs {
-    setup: Setup<f64>,
-    /// The second design, with the names of both.
-    other: Option<([&'static str; 2], Setup<f64>)>,
-    /// The optimum, if it is the second design.
-    best: Option<Optimum>,
-    /// A warning about differences of the designs that are not of the club.
-    difference_warnings: Vec<Message>,
-    ending: Ending,
-    origin: SetupOrigin,
-}
-
-impl Designs {
-    /// The design of the request, and another one that the request states.
-    fn before_and_after(
-        request: &Request,
-        after: &Request,
-        target: &PlotDestination<'_>,
-    ) -> Result<Self> {
-        let other = after.for_many(after.setup()?, &[])?;
-        refuse_launch(&other, target)?;
-        let setup = request.for_many(request.setup()?, &[])?;
-        refuse_other_hand(&setup, &other, target)?;
-        Ok(Self {
-            difference_warnings: other_differences(&setup, &other),
-            setup,
-            other: Some((["before", "after"], other)),
-            best: None,
-            ending: Ending::DONE,
-            origin: request.origin(),
-        })
-    }
-
-    /// The drive as set up and its optimum.
-    fn with_optimum(request: &Request, search: &SearchArgs) -> Result<Self> {
-        let (setup, found) = setup_and_optimum(request, search)?;
-        let names = [NamedDrive::AS_SET_UP, NamedDrive::OPTIMUM];
-        Ok(Self {
-            setup,
-            difference_warnings: vec![],
-            other: found.best.as_ref().map(|best| (names, best.setup)),
-            best: found.best,
-            ending: found.ending,
-            origin: found.origin,
-        })
-    }
+/// The design of the request, and the other one that it states.
+fn before_and_after(
+    request: &Request,
+    after: &Request,
+    target: &PlotDestination<'_>,
+) -> Result<[Setup<f64>; 2]> {
+    let other = after.for_many(after.setup()?, &[])?;
+    refuse_launch(&other, target)?;
+    let setup = request.for_many(request.setup()?, &[])?;
+    refuse_other_hand(&setup, &other, target)?;
+    Ok([setup, other])
 }
 
 /// Adds the parameters of the optimum and its constraints to the caption.
@@ -257,64 +214,49 @@ pub fn warnings(setup: &Setup<f64>, best: Option<&Optimum>, shown: &[Outcome]) -
     warnings
 }
 
-/// The optimum of a plot.
-pub struct DrawnOptimum {
-    /// The optimum; `None` if there is no search, or if it finds none.
-    pub best: Option<Optimum>,
-    /// The status of the plot: that of the search if the request states an option of the search and
-    /// there is no optimum, otherwise `done`.
-    pub ending: Ending,
-    /// The setup of the plot, with advice on the search.
-    pub origin: SetupOrigin,
-}
-
-impl DrawnOptimum {
-    /// The optimum of a search. Warns if the search finds none; the plot then shows only the drive.
-    pub fn of(request: &Request, drive_search: &DriveSearch, args: &SearchArgs) -> Result<Self> {
-        let origin = drive_search.origin(request);
-        let best = drive_search.optimum()?;
-        if best.is_converged() {
-            return Ok(Self {
-                best: Some(best),
-                ending: Ending::DONE,
-                origin,
-            });
-        }
-        let (status, message) = (best.status(), best.message());
-        let reason = Message::from(format!("no optimum is drawn: {status}: "));
-        warn([reason.message(message.clone())]);
-        let ending = match args.stated().next() {
-            Some(_) => Ending {
-                status,
-                message: Some(message.to_string()),
-            },
-            None => Ending::DONE,
-        };
-        Ok(Self {
-            best: None,
-            ending,
-            origin,
-        })
+/// The optimum of a search for the plot `target`, which then has the origin of the search. Warns if
+/// the search finds none; the plot then shows only the drive. If the request states an option of the
+/// search, the plot has the status of this search.
+pub fn drawn_optimum(
+    target: &mut PlotDestination<'_>,
+    request: &Request,
+    drive_search: &DriveSearch,
+    args: &SearchArgs,
+) -> Result<Option<Optimum>> {
+    target.origin = drive_search.origin(request);
+    let best = drive_search.optimum()?;
+    if best.is_converged() {
+        return Ok(Some(best));
     }
+    let (status, message) = (best.status(), best.message());
+    let reason = Message::from(format!("no optimum is drawn: {status}: "));
+    warn([reason.message(message.clone())]);
+    if args.stated().next().is_some() {
+        target.ending = Ending {
+            status,
+            message: Some(message.to_string()),
+        };
+    }
+    Ok(None)
 }
 
-/// The setup and its optimum. If there is nothing to vary and the request states no option of a
-/// search, a remark says that there is no optimum.
-fn setup_and_optimum(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, DrawnOptimum)> {
+/// The setup and its optimum, for the plot `target`. If there is nothing to vary and the request
+/// states no option of a search, a remark says that there is no optimum.
+fn setup_and_optimum(
+    target: &mut PlotDestination<'_>,
+    request: &Request,
+    args: &SearchArgs,
+) -> Result<(Setup<f64>, Option<Optimum>)> {
     let setup = request.setup()?;
-    let reason = search.nothing_to_vary(request)?;
-    if let Some(reason) = reason.filter(|_| search.stated().next().is_none()) {
+    let reason = args.nothing_to_vary(request)?;
+    if let Some(reason) = reason.filter(|_| args.stated().next().is_none()) {
         note(&format!("no optimum is drawn: {reason}"));
-        let none = DrawnOptimum {
-            best: None,
-            ending: Ending::DONE,
-            origin: request.origin(),
-        };
-        return Ok((request.for_many(setup, &[])?, none));
+        target.origin = request.origin();
+        return Ok((request.for_many(setup, &[])?, None));
     }
-    let drive_search = search.of_drive(request, None, None)?;
+    let drive_search = args.of_drive(request, None, None)?;
     // before the search, refuse a drive that does not land: the plot needs its landing
     Drive::new(&drive_search.setup)?.landed()?;
-    let drawn = DrawnOptimum::of(request, &drive_search, search)?;
-    Ok((drive_search.setup, drawn))
+    let best = drawn_optimum(target, request, &drive_search, args)?;
+    Ok((drive_search.setup, best))
 }

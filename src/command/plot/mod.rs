@@ -6,7 +6,6 @@ mod drive;
 pub use args::Args;
 
 use crate::atmosphere::AirState;
-use crate::command::args::SearchArgs;
 use crate::command::compare::origin;
 use crate::command::host::Progress;
 use crate::command::names::{outcomes, sigmas};
@@ -36,7 +35,7 @@ use crate::{Error, Outcome, Result, Setup};
 use args::{
     PlotChart, PlotCompare, PlotKind, PlotLaws, PlotSearch, PlotTornado, PlotTrajectory, PlotVcurve,
 };
-use drive::{DrawnOptimum, face, fairway, launches, strikes};
+use drive::{drawn_optimum, face, fairway, launches, strikes};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -82,24 +81,36 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
 
 fn contour(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = PlotDestination::new(request.inputs(), &args.drawing)?;
+    let mut target = PlotDestination::new(request.inputs(), &args.drawing)?;
     let drive_search = args.search.of_drive(&request, None, None)?;
     let DriveSearch { setup, search, .. } = &drive_search;
     let spinner = spinner("computing the map");
-    let MappedOptimum { found, around, map } =
-        MappedOptimum::of(&request, &drive_search, &args.search)?;
-    let target = target.ended(found.ending).about(found.origin);
+    let [across, up, ..] = search.vary[..] else {
+        let examples = SearchRanges::of_map(setup)?;
+        return Err(Error::SearchRange {
+            name: "`vary`".into(),
+            reason: format!(
+                "a map needs two parameters; give `vary` twice, for example {examples}"
+            ),
+        });
+    };
+    let best = drawn_optimum(&mut target, &request, &drive_search, &args.search)?;
+    let best = best.as_ref();
+    let around = match best {
+        Some(best) => best.setup,
+        None => Vary::initialized(setup, &search.vary)?,
+    };
+    let map = map(&around, search.outcome(), across, up, Fineness::default())?;
     if let Some(flat) = map.flat() {
         let reason = format!("{flat}; vary parameters that change it");
         return Err(target.refused(reason));
     }
-    let best = found.best.as_ref();
     let limits = limits(&around, search)?;
     if let Some((_, message)) = best.and_then(short_drive) {
         note(message);
     }
     let region = best
-        .map(|best| Region::around(best, map.plane.across, map.plane.up, usual_loss(best)))
+        .map(|best| Region::around(best, across, up, usual_loss(best)))
         .transpose()?
         .flatten();
     spinner.finish();
@@ -119,35 +130,6 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
     };
     let warnings = drive::warnings(setup, best, &search.outcomes());
     target.write(&map_figure(&map, &on, system()), warnings)
-}
-
-/// An optimum and the map around it.
-struct MappedOptimum {
-    found: DrawnOptimum,
-    /// The setup at the optimum; if the search finds none, the setup at its start.
-    around: Setup<f64>,
-    map: Map,
-}
-
-impl MappedOptimum {
-    fn of(request: &Request, drive_search: &DriveSearch, args: &SearchArgs) -> Result<Self> {
-        let DriveSearch { setup, search, .. } = drive_search;
-        let [across, up, ..] = search.vary[..] else {
-            let reason = format!(
-                "a map needs two parameters; give `vary` twice, for example {}",
-                SearchRanges::of_map(setup)?
-            );
-            let name = "`vary`".into();
-            return Err(Error::SearchRange { name, reason });
-        };
-        let found = DrawnOptimum::of(request, drive_search, args)?;
-        let around = match &found.best {
-            Some(best) => best.setup,
-            None => Vary::initialized(setup, &search.vary)?,
-        };
-        let map = map(&around, search.outcome(), across, up, Fineness::default())?;
-        Ok(Self { found, around, map })
-    }
 }
 
 /// The constraints of a search, each with a map of the limited outcome over the first two varied
