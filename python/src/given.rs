@@ -17,28 +17,20 @@ pub const PRESET: &str = "preset";
 /// `club.inertia.xx` need three levels.
 const DEEPEST: usize = 4;
 
-/// The unit of angles that are given as numbers.
-#[derive(Clone, Copy, PartialEq)]
-pub enum AngleUnit {
-    Radian,
-    Degree,
-}
-
-impl AngleUnit {
-    /// The unit that the argument `angles` names; radian without this argument.
-    pub fn of(angles: Option<&Bound<'_, PyAny>>) -> Answer<Self> {
-        let Some(angles) = angles else {
-            return Ok(Self::Radian);
-        };
-        let name = angles.extract::<String>().unwrap_or_default();
-        match name.as_str() {
-            "rad" => Ok(Self::Radian),
-            "deg" => Ok(Self::Degree),
-            _ => Err(Failure::Input(format!(
-                "angles = {}; expected 'rad' or 'deg'",
-                shown(angles)
-            ))),
-        }
+/// True if the argument `angles` names degrees as the unit of angles that are given as numbers. False
+/// for radians, and without this argument.
+pub fn are_degrees(angles: Option<&Bound<'_, PyAny>>) -> Answer<bool> {
+    let Some(angles) = angles else {
+        return Ok(false);
+    };
+    let name = angles.extract::<String>().unwrap_or_default();
+    match name.as_str() {
+        "rad" => Ok(false),
+        "deg" => Ok(true),
+        _ => Err(Failure::Input(format!(
+            "angles = {}; expected 'rad' or 'deg'",
+            shown(angles)
+        ))),
     }
 }
 
@@ -246,12 +238,12 @@ fn not_a_mapping(value: &Bound<'_, PyAny>) -> Failure {
     ))
 }
 
-/// Sets the parameters `given`. Numbers without a unit are SI, but angles have the unit `angles`.
-/// Returns the angles that were given as numbers.
+/// Sets the parameters `given`. Numbers without a unit are SI, but angles are in degrees if
+/// `in_degrees`. Returns the angles that were given as numbers in radians.
 pub fn apply(
     setup: &mut Setup<f64>,
     given: &[Given<'_>],
-    angles: AngleUnit,
+    in_degrees: bool,
 ) -> Answer<Vec<BareAngle>> {
     // the law determines which coefficients exist
     let mut of_law = *setup;
@@ -275,7 +267,7 @@ pub fn apply(
         let Ok(number) = text.parse::<f64>() else {
             continue;
         };
-        if angles == AngleUnit::Degree {
+        if in_degrees {
             *text = format!("{:?}", number.to_radians());
         } else {
             bare_angles.push((given.name.clone(), number));

@@ -1,7 +1,7 @@
 //! `Setup`: everything a drive depends on.
 
 use crate::boundary::{Answer, Failure, answer, kind_of, shown, text_of};
-use crate::given::{self, AngleUnit, BareAngle, PRESET};
+use crate::given::{self, BareAngle, PRESET, are_degrees};
 use crate::pool;
 use longdrive::atmosphere::in_effect;
 use longdrive::command::refuse_idle;
@@ -159,7 +159,7 @@ impl PySetup {
     /// A setup from Python: a setup, the name of a preset, a dict, or None for the preset
     /// `tour-average`. Refuses values of a dict that have no effect, and warns of its angles.
     pub fn of(given: &Bound<'_, PyAny>) -> Answer<Self> {
-        let call = Self::of_call(given, AngleUnit::Radian, None)?;
+        let call = Self::of_call(given, false, None)?;
         call.setup.refuse_idle(&call.stated, &[], "")?;
         call.setup.warn_of(given.py(), call.bare_angles)?;
         Ok(call.setup)
@@ -169,7 +169,7 @@ impl PySetup {
     /// default the preset `tour-average`.
     fn of_call(
         given: &Bound<'_, PyAny>,
-        angles: AngleUnit,
+        in_degrees: bool,
         base: Option<&Self>,
     ) -> Answer<CallSetup> {
         let setup = if let Ok(setup) = given.cast::<Self>() {
@@ -179,7 +179,7 @@ impl PySetup {
         } else if let Ok(name) = given.cast::<PyString>() {
             Self::of_preset(text_of("setup", name)?)?
         } else {
-            return Self::of_dict(given, angles, base);
+            return Self::of_dict(given, in_degrees, base);
         };
         Ok(CallSetup {
             setup,
@@ -190,7 +190,7 @@ impl PySetup {
 
     fn of_dict(
         dict: &Bound<'_, PyAny>,
-        angles: AngleUnit,
+        in_degrees: bool,
         base: Option<&Self>,
     ) -> Answer<CallSetup> {
         let mut given = given::flattened(dict)?;
@@ -201,7 +201,7 @@ impl PySetup {
             (None, Some(base)) => base.clone(),
             (None, None) => Self::of_preset(DEFAULT_PRESET)?,
         };
-        let (setup, bare_angles) = base.with(&given, angles)?;
+        let (setup, bare_angles) = base.with(&given, in_degrees)?;
         let names = given.into_iter().map(|given| given.name);
         Ok(CallSetup {
             setup,
@@ -263,13 +263,9 @@ impl PySetup {
     }
 
     /// Changes the values of some parameters. Returns also the angles that were given as numbers.
-    fn with(
-        &self,
-        given: &[given::Given<'_>],
-        angles: AngleUnit,
-    ) -> Answer<(Self, Vec<BareAngle>)> {
+    fn with(&self, given: &[given::Given<'_>], in_degrees: bool) -> Answer<(Self, Vec<BareAngle>)> {
         let mut setup = self.setup;
-        let bare_angles = given::apply(&mut setup, given, angles)?;
+        let bare_angles = given::apply(&mut setup, given, in_degrees)?;
         // refuse a stated value that has no effect because other parameters, such as the weather,
         // replace it
         let base = longdrive::Setup::preset(self.file.preset.name)?;
@@ -421,7 +417,7 @@ impl PySetup {
         angles: Option<&Bound<'_, PyAny>>,
         named: Option<&Bound<'_, PyDict>>,
     ) -> Answer<(Self, Vec<BareAngle>)> {
-        let angles = AngleUnit::of(angles)?;
+        let in_degrees = are_degrees(angles)?;
         let mut all = changes.map_or_else(|| Ok(vec![]), given::flattened)?;
         if let Some(named) = named {
             all.extend(given::flattened(named.as_any())?);
@@ -434,7 +430,7 @@ impl PySetup {
             );
             return Err(Failure::Input(message));
         }
-        self.with(&all, angles)
+        self.with(&all, in_degrees)
     }
 }
 
@@ -466,12 +462,12 @@ impl PySetup {
     #[pyo3(signature = (given = None, /, *, angles = None))]
     fn new(given: Option<&Bound<'_, PyAny>>, angles: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
         answer(|| {
-            let angles = AngleUnit::of(angles)?;
+            let in_degrees = are_degrees(angles)?;
             match given {
                 Some(given)
                     if given.cast::<PyMapping>().is_ok() && !given.is_instance_of::<Self>() =>
                 {
-                    let call = Self::of_dict(given, angles, None)?;
+                    let call = Self::of_dict(given, in_degrees, None)?;
                     call.setup.warn_of(given.py(), call.bare_angles)?;
                     Ok(call.setup)
                 }
@@ -542,7 +538,7 @@ impl PySetup {
         base: Option<&Self>,
     ) -> PyResult<(Self, Vec<String>, Vec<BareAngle>)> {
         answer(|| {
-            let call = Self::of_call(given, AngleUnit::of(Some(angles))?, base)?;
+            let call = Self::of_call(given, are_degrees(Some(angles))?, base)?;
             Ok((call.setup, call.stated, call.bare_angles))
         })
     }
@@ -574,7 +570,7 @@ impl PySetup {
             let mut given = given::flattened(differences)?;
             let preset = given::preset(&mut given)?;
             let base = Self::of_preset(preset.as_deref().unwrap_or(DEFAULT_PRESET))?;
-            let (read, _) = base.with(&given, AngleUnit::Radian)?;
+            let (read, _) = base.with(&given, false)?;
             if read.table().as_deref() == table {
                 return Ok(read);
             }
