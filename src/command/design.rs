@@ -60,16 +60,15 @@ pub fn run(args: &Args) -> Result<Answer> {
          out, or give the swing",
     )?;
     let over = swings_or_golfer(swings_args, &request)?;
-    let started = request.with_starts(over.setup, &optimum.search.vary)?;
+    let started = request.with_starts(over.setup, &optimum.search.vary, None)?;
     let ranges = match optimum.search.vary.is_empty() {
-        true => SearchRanges::usual(usual_vary(&started)?, &request),
-        false => SearchRanges::stated(&optimum.search.vary, &started)?,
+        true => SearchRanges::usual(usual_vary(&started)?, &request, started),
+        false => SearchRanges::stated(&optimum.search.vary, started)?,
     };
     let held = ranges.held();
     let requested = search_over_swings(
         &optimum.search,
         swings_args,
-        &started,
         &over,
         Goal::read(GOAL, None)?,
         ranges,

@@ -174,16 +174,15 @@ fn follow(setup: &Setup<f64>, search: ParetoSearch, stop: &Arc<AtomicBool>) -> R
 /// The setup, and the search for the front of two goals over many swings.
 fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
     let over = args.swings.request(request, false)?;
-    let started = request.with_starts(over.setup, &args.vary)?;
+    let ranges = SearchRanges::over_swings(&args.vary, request, over.setup)?;
     let strokes = args.swings.strokes()?;
     let strokes = strokes.as_ref();
     let goals = args.goals(|option, text| goal(option, text, strokes))?;
     let of = goals.each_ref().map(|(goal, _)| goal);
-    let subject_to = limits(&started, &args.subject_to, of, strokes)?;
-    let vary = SearchRanges::over_swings(&args.vary, request, &started)?.vary()?;
+    let subject_to = limits(&ranges.started, &args.subject_to, of, strokes)?;
     let mut search = ParetoSearch {
         goals,
-        vary,
+        vary: ranges.vary()?,
         subject_to,
         scenarios: Scenarios::one_drive(),
         points: args.points,
@@ -197,9 +196,8 @@ fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Pareto
 
 /// The setup, and the search for the front of two goals of one drive.
 fn of_one_drive(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
-    let started = request.with_starts(request.partial_setup, &args.vary)?;
+    let ranges = SearchRanges::of_drive(&args.vary, request, None)?;
     let goals = args.goals(|option, text| Ok(of_a_drive(option, text)?.into()))?;
-    let ranges = SearchRanges::of_drive(&args.vary, request, &started, None)?;
     let subject_to = args.subject_to.iter().map(|text| Constraint::read(text));
     let search = ParetoSearch {
         goals,

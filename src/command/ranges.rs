@@ -24,7 +24,7 @@ impl Request {
     ) -> Result<SetupOrigin> {
         // by default, a search over swings varies the loft, and is refused if the request states it
         let held = match given.is_empty() && !swings.is_given() {
-            true => SearchRanges::longest_drive(self, setup)?.held(),
+            true => SearchRanges::longest_drive(self, *setup)?.held(),
             false => vec![],
         };
         let origin = self.origin_of_search(vary).with_held(&held, setup);
@@ -60,6 +60,10 @@ fn launch_ranges(setup: &Setup<f64>) -> [String; 2] {
 /// The ranges of `--vary`, or the default ranges of a command without the parameters that the
 /// request states.
 pub struct SearchRanges {
+    /// The setup at the start of the search, in which a varied parameter without a value has a
+    /// start value. Ranges and options are read with it. The study receives the setup without these
+    /// values, which is the drive as set up.
+    pub started: Setup<f64>,
     vary: Vec<Vary>,
     /// The default ranges of parameters that the request states; these are not varied.
     held: Vec<Vary>,
@@ -72,21 +76,23 @@ impl SearchRanges {
     ///
     /// # Errors
     /// The errors of [`Vary::read`].
-    pub fn stated(texts: &[String], setup: &Setup<f64>) -> Result<Self> {
+    pub fn stated(texts: &[String], started: Setup<f64>) -> Result<Self> {
         Ok(Self {
-            vary: Vary::read_all(setup, texts)?,
+            vary: Vary::read_all(&started, texts)?,
+            started,
             held: vec![],
             examples: String::new(),
         })
     }
 
     /// Default ranges without the parameters that the request states.
-    pub fn usual(ranges: Vec<Vary>, request: &Request) -> Self {
+    pub fn usual(ranges: Vec<Vary>, request: &Request, started: Setup<f64>) -> Self {
         let (held, vary): (Vec<_>, Vec<_>) = ranges
             .into_iter()
             .partition(|range| request.states(range.parameter.name));
         let examples = as_arguments(held.iter().map(range_text));
         Self {
+            started,
             vary,
             held,
             examples,
@@ -97,32 +103,31 @@ impl SearchRanges {
     ///
     /// # Errors
     /// The errors of [`Search::longest_drive`].
-    pub fn longest_drive(request: &Request, setup: &Setup<f64>) -> Result<Self> {
-        if setup.launch.is_given() {
+    pub fn longest_drive(request: &Request, started: Setup<f64>) -> Result<Self> {
+        if started.launch.is_given() {
             return Ok(Self {
+                started,
                 vary: vec![],
                 held: vec![],
-                examples: as_arguments(launch_ranges(setup)),
+                examples: as_arguments(launch_ranges(&started)),
             });
         }
-        Ok(Self::usual(Search::longest_drive(setup)?.vary, request))
+        let ranges = Search::longest_drive(&started)?.vary;
+        Ok(Self::usual(ranges, request, started))
     }
 
     /// The ranges of a search over one drive: those of `--vary` (`given`); without this option, the
     /// [ranges of the longest drive](Self::longest_drive) without the parameter `along` of a chart.
     ///
     /// # Errors
-    /// The errors of [`Vary::read`] and of [`Search::longest_drive`].
-    pub fn of_drive(
-        given: &[String],
-        request: &Request,
-        setup: &Setup<f64>,
-        along: Option<&Parameter>,
-    ) -> Result<Self> {
+    /// The errors of [`Request::with_starts`], [`Vary::read`] and [`Search::longest_drive`].
+    pub fn of_drive(given: &[String], request: &Request, along: Option<Vary>) -> Result<Self> {
+        let started = request.with_starts(request.partial_setup, given, along)?;
         if !given.is_empty() {
-            return Self::stated(given, setup);
+            return Self::stated(given, started);
         }
-        let mut usual = Self::longest_drive(request, setup)?;
+        let mut usual = Self::longest_drive(request, started)?;
+        let along = along.map(|along| along.parameter);
         usual.vary.retain(|range| Some(range.parameter) != along);
         Ok(usual)
     }
@@ -140,24 +145,25 @@ impl SearchRanges {
     }
 
     /// The ranges of a search over swings: those of `--vary` (`given`); without this option, the
-    /// [loft](Self::loft).
+    /// [loft](Self::loft). `setup` has the means of the swings.
     ///
     /// # Errors
-    /// The errors of [`Vary::read`] and of [`Search::longest_drive`].
-    pub fn over_swings(given: &[String], request: &Request, setup: &Setup<f64>) -> Result<Self> {
+    /// The errors of [`Request::with_starts`], [`Vary::read`] and [`Search::longest_drive`].
+    pub fn over_swings(given: &[String], request: &Request, setup: Setup<f64>) -> Result<Self> {
+        let started = request.with_starts(setup, given, None)?;
         if !given.is_empty() {
-            return Self::stated(given, setup);
+            return Self::stated(given, started);
         }
-        Self::loft(request, setup)
+        Self::loft(request, started)
     }
 
     /// The loft alone: in a search over swings the attack angle varies from swing to swing.
     ///
     /// # Errors
     /// The errors of [`Search::longest_drive`].
-    fn loft(request: &Request, setup: &Setup<f64>) -> Result<Self> {
-        let loft = Search::longest_drive(setup)?.vary[0];
-        Ok(Self::usual(vec![loft], request))
+    fn loft(request: &Request, started: Setup<f64>) -> Result<Self> {
+        let loft = Search::longest_drive(&started)?.vary[0];
+        Ok(Self::usual(vec![loft], request, started))
     }
 
     /// The parameters that the search does not vary, because the request states them.

@@ -144,12 +144,10 @@ impl Args {
     fn search(&self, request: &Request) -> Result<(Setup<f64>, Search)> {
         if self.swings.is_given() {
             let over = self.swings.request(request, false)?;
-            let started = request.with_starts(over.setup, &self.search.vary)?;
-            let ranges = SearchRanges::over_swings(&self.search.vary, request, &started)?;
+            let ranges = SearchRanges::over_swings(&self.search.vary, request, over.setup)?;
             let search = search_over_swings(
                 &self.search,
                 &self.swings,
-                &started,
                 &over,
                 Goal::mean(Outcome::Carry),
                 ranges,
@@ -158,9 +156,8 @@ impl Args {
             request.note_starts(&over.setup, &search.vary);
             return Ok((over.setup, search));
         }
-        let started = request.with_starts(request.partial_setup, &self.search.vary)?;
-        let ranges = SearchRanges::of_drive(&self.search.vary, request, &started, None)?;
-        let search = self.search.search(request, &started, ranges.vary()?)?;
+        let ranges = SearchRanges::of_drive(&self.search.vary, request, None)?;
+        let search = self.search.search(request, ranges)?;
         Ok((request.partial_setup, search))
     }
 

@@ -61,7 +61,7 @@ impl SearchArgs {
     /// with nothing to vary.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] if there is nothing to vary; the errors of [`Request::fill_missing`],
+    /// [`Error::Unreadable`] if there is nothing to vary; the errors of [`SearchRanges::of_drive`],
     /// [`search`](Self::search) and [`Request::for_many`].
     pub fn of_drive(
         &self,
@@ -69,33 +69,25 @@ impl SearchArgs {
         along: Option<Vary>,
         instead: Option<&str>,
     ) -> Result<DriveSearch> {
-        let setup = request.partial_setup;
-        let mut starts = request.starts(&setup, &self.vary)?;
-        starts.extend(along.map(|along| (along.parameter, along.low)));
-        let started = request.fill_missing(setup, starts, "begins at")?;
-        let parameter = along.map(|along| along.parameter);
-        let ranges = SearchRanges::of_drive(&self.vary, request, &started, parameter)?;
+        let ranges = SearchRanges::of_drive(&self.vary, request, along)?;
         if let (Some(reason), Some(instead)) = (ranges.reason(), instead) {
             let source = format!("{reason}; {instead}");
             return Err(Error::unreadable("the search", source));
         }
         let held = ranges.held();
-        let search = self.search(request, &started, ranges.vary()?)?;
+        let search = self.search(request, ranges)?;
         let ranges: Vec<_> = search.vary.iter().copied().chain(along).collect();
         Ok(DriveSearch {
-            setup: request.for_many(setup, &ranges)?,
+            setup: request.for_many(request.partial_setup, &ranges)?,
             search,
             held,
         })
     }
 
-    /// The search over these ranges. `started` has a value for every varied parameter.
-    pub fn search(
-        &self,
-        request: &Request,
-        started: &Setup<f64>,
-        vary: Vec<Vary>,
-    ) -> Result<Search> {
+    /// The search over these ranges.
+    pub fn search(&self, request: &Request, ranges: SearchRanges) -> Result<Search> {
+        let started = ranges.started;
+        let vary = ranges.vary()?;
         let (of, sense) = self.objective(of_a_drive, Outcome::Carry)?;
         let search = Search {
             of: of.into(),
@@ -110,7 +102,7 @@ impl SearchArgs {
             options: options(self.max_iterations),
         };
         note_the_run(&search.outcomes());
-        request.note_starts(started, &search.vary);
+        request.note_starts(&started, &search.vary);
         Ok(search)
     }
 
@@ -123,7 +115,7 @@ impl SearchArgs {
         if !self.vary.is_empty() {
             return Ok(None);
         }
-        Ok(SearchRanges::longest_drive(request, &request.partial_setup)?.reason())
+        Ok(SearchRanges::longest_drive(request, request.partial_setup)?.reason())
     }
 
     /// The objective and its sense. By default, `usual` is maximized. `read` takes the name and the

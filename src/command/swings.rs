@@ -242,12 +242,10 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     } = &args.optimum;
     let request = setup_args.request()?;
     let over = args.swings.request(&request, true)?;
-    let started = request.with_starts(over.setup, &search.vary)?;
-    let ranges = SearchRanges::over_swings(&search.vary, &request, &started)?;
+    let ranges = SearchRanges::over_swings(&search.vary, &request, over.setup)?;
     let search = search_over_swings(
         search,
         &args.swings,
-        &started,
         &over,
         Goal::mean(Outcome::Carry),
         ranges,
@@ -318,7 +316,6 @@ pub fn optimize_and_write(
 pub fn search_over_swings(
     search: &SearchArgs,
     swings: &SwingsArgs,
-    setup: &Setup<f64>,
     over: &SwingsRequest,
     usual: Goal,
     ranges: SearchRanges,
@@ -327,8 +324,9 @@ pub fn search_over_swings(
     let strokes = strokes.as_ref();
     let read = |option: &str, text: &str| goal(option, text, strokes);
     let (of, sense) = search.objective(read, usual)?;
+    let started = ranges.started;
     let vary = ranges.vary()?;
-    let subject_to = limits(setup, &search.subject_to, [&of], strokes)?;
+    let subject_to = limits(&started, &search.subject_to, [&of], strokes)?;
     let mut search = Search {
         of,
         sense,

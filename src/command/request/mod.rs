@@ -171,30 +171,18 @@ impl Request {
         Ok(self.partial_setup)
     }
 
-    /// The setup at the start of a search over ranges `NAME=LOW..HIGH`: a varied parameter without
-    /// a value gets the middle of its range. Ranges and options are read with this setup. The study
-    /// receives the setup without these values, which is the drive as set up.
+    /// The setup at the start of a search over `ranges`, texts `NAME=LOW..HIGH`: a varied parameter
+    /// without a value gets the middle of its range. A parameter `along` a chart without a value
+    /// gets its lowest value.
     ///
     /// # Errors
     /// The errors of [`setup`](Self::setup) and of [`Vary::read_column`].
-    pub fn with_starts<'a>(
+    pub fn with_starts(
         &self,
         setup: Setup<f64>,
-        ranges: impl IntoIterator<Item = &'a String>,
+        ranges: &[String],
+        along: Option<Vary>,
     ) -> Result<Setup<f64>> {
-        let starts = self.starts(&setup, ranges)?;
-        self.fill_missing(setup, starts, "begins at")
-    }
-
-    /// The start values of the varied parameters that have no value in this setup.
-    ///
-    /// # Errors
-    /// The errors of [`Vary::read_column`].
-    pub fn starts<'a>(
-        &self,
-        setup: &Setup<f64>,
-        ranges: impl IntoIterator<Item = &'a String>,
-    ) -> Result<Vec<(&'static Parameter, f64)>> {
         let mut starts = vec![];
         for text in ranges {
             // ignore errors in the text here: the code that reads the search reports them
@@ -204,11 +192,12 @@ impl Request {
             if parameter.is_some_and(|parameter| {
                 !parameter.is_of_launch() && setup.value(parameter).is_none()
             }) {
-                let vary = Vary::read_column(setup, text)?;
-                starts.push((vary.parameter, vary.start(setup)));
+                let vary = Vary::read_column(&setup, text)?;
+                starts.push((vary.parameter, vary.start(&setup)));
             }
         }
-        Ok(starts)
+        starts.extend(along.map(|along| (along.parameter, along.low)));
+        self.fill_missing(setup, starts, "begins at")
     }
 
     /// Adds these values to a setup. A parameter that already has a value keeps it. A note reports
