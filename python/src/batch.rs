@@ -5,7 +5,7 @@ use crate::boundary::{Answer, Failure, answer};
 use crate::hessians::Hessians;
 use crate::names::{listed, outcomes_named, refuse_repeated, variables};
 use crate::pool;
-use crate::results::{Chunk, Results, Shared};
+use crate::results::Results;
 use crate::setup::PySetup;
 use crate::step::{PyIntegration, step_choice};
 use longdrive::batch::{Batch, Block, CHUNK, Points, Run};
@@ -17,8 +17,8 @@ use numpy::ndarray::{Array2, Array4, ShapeError};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray4};
 use pyo3::exceptions::PyBaseException;
 use pyo3::prelude::*;
-use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, Mutex};
 
 /// The drives of a batch, without the values of the points.
 #[derive(Clone)]
@@ -175,7 +175,8 @@ struct Work {
     ranges: Vec<Vary>,
     /// Method and step, if they were chosen before.
     chosen: Option<Arc<Integration>>,
-    to: Arc<Shared>,
+    /// The results; `None` once Python has taken them.
+    to: Arc<Mutex<Option<Results>>>,
 }
 
 impl Work {
@@ -200,9 +201,12 @@ impl Work {
             return Ok(py.detach(|| self.compute(&AtomicBool::new(false)))?);
         }
         let (rows, to) = (self.rows(), Arc::clone(&self.to));
-        let watch = || match progress {
-            Some(progress) => progress.call1((to.done(), rows)).map(drop),
-            None => Ok(()),
+        let watch = || {
+            let Some(progress) = progress else {
+                return Ok(());
+            };
+            let done = pool::lock(&to).as_ref().map_or(0, |results| results.done);
+            progress.call1((done, rows)).map(drop)
         };
         Ok(pool::run(py, move |stop| self.compute(stop), watch)??)
     }
@@ -237,7 +241,13 @@ impl Work {
         stop: &AtomicBool,
     ) -> longdrive::Result<()> {
         let width = self.request.width();
-        let chunk = |block: Block| Chunk::of(&block, width, hessians);
+        let chunk = |block: Block| Results::of_chunk(&block, width, hessians);
+        let to = Arc::clone(&self.to);
+        let append = |chunk: &Results| {
+            if let Some(results) = pool::lock(&to).as_mut() {
+                results.append(chunk);
+            }
+        };
         let run = Run {
             first_row: self.first_row as u64,
             threads: self.threads,
@@ -245,8 +255,8 @@ impl Work {
             ..Run::default()
         };
         if self.rows() > CHUNK {
-            let sink = |chunk: Chunk| {
-                self.to.append(&chunk);
+            let sink = |chunk: Results| {
+                append(&chunk);
                 Ok(())
             };
             batch.run(&mut self.arrays, &run, chunk, sink)?;
@@ -259,7 +269,7 @@ impl Work {
             return Ok(());
         }
         if let Some(block) = batch.evaluate_until(run.first_row, values, stop) {
-            self.to.append(&chunk(block));
+            append(&chunk(block));
         }
         Ok(())
     }
@@ -307,7 +317,8 @@ pub fn batch<'py>(
         refuse_first_row(first_row, arrays.len())?;
         setup.setup.refuse_replaced(&names(&request.points))?;
         let choice = step_choice(tolerance, own_step)?;
-        let shared = Arc::new(Shared::new(request.results(arrays.len() - first_row)?));
+        let results = request.results(arrays.len() - first_row)?;
+        let shared = Arc::new(Mutex::new(Some(results)));
         // scan the values only after the allocation has succeeded, because the scan takes long
         arrays.scan(py, ranges.is_none())?;
         let (whole, in_degrees) = (arrays.len(), arrays.in_degrees());
@@ -334,7 +345,9 @@ pub fn batch<'py>(
             // Ctrl-C in this call does not discard the rows
             raised = progress.call1((rows, rows)).err();
         }
-        let results = shared.end()?;
+        let results = pool::lock(&shared)
+            .take()
+            .ok_or_else(|| Failure::Internal("a batch without results".into()))?;
         warnings.extend(request.warnings(&results, raised.is_none() && first_row == 0));
         warnings.extend(in_degrees);
         request.result(py, results, warnings, whole, raised)

@@ -2,7 +2,7 @@
 
 use crate::boundary::{Answer, answer};
 use crate::json::to_python;
-use crate::pool::{self, Ended};
+use crate::pool::{self, Ended, lock};
 use crate::request::arguments_of;
 use crate::wording;
 use longdrive::command::{
@@ -19,7 +19,7 @@ use std::io;
 use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 /// Time for stopped work to return its result so far. Work checks for a stop only between two
@@ -70,10 +70,6 @@ impl Bar {
     fn length(&self) -> u64 {
         self.length.load(Ordering::Relaxed)
     }
-
-    fn message(&self) -> MutexGuard<'_, String> {
-        self.message.lock().unwrap_or_else(PoisonError::into_inner)
-    }
 }
 
 impl Progress for Bar {
@@ -90,7 +86,7 @@ impl Progress for Bar {
     }
 
     fn set_message(&self, message: String) {
-        *self.message() = message;
+        *lock(&self.message) = message;
     }
 
     fn finish(&self) {
@@ -108,25 +104,13 @@ struct Files {
 }
 
 impl Caller {
-    fn state(&self) -> MutexGuard<'_, HostState> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn lock_files(&self) -> MutexGuard<'_, Files> {
-        self.files.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn outputs(&self) -> MutexGuard<'_, HashMap<PathBuf, Vec<u8>>> {
-        self.outputs.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
     /// Adds a note with the position of the progress bar and the best value so far.
     fn note_progress(&self) {
-        let mut state = self.state();
+        let mut state = lock(&self.state);
         let Some(bar) = state.bar.clone().filter(|bar| bar.length() > 0) else {
             return;
         };
-        let best = match bar.message().as_str() {
+        let best = match lock(&bar.message).as_str() {
             "" => String::new(),
             best => format!(", best {best}"),
         };
@@ -137,7 +121,7 @@ impl Caller {
     /// Stops the current work. Returns the time to wait for the answer: zero if the work can
     /// neither be stopped nor has ended.
     fn stop(&self) -> Duration {
-        let state = self.state();
+        let state = lock(&self.state);
         if let Some(stop) = &state.stop {
             stop.store(true, Ordering::Relaxed);
         }
@@ -151,7 +135,7 @@ impl Caller {
 
 impl Host for Caller {
     fn print(&self, text: &str) -> io::Result<()> {
-        self.state().answer.push_str(text);
+        lock(&self.state).answer.push_str(text);
         Ok(())
     }
 
@@ -164,7 +148,7 @@ impl Host for Caller {
             MessageKind::Usage => return,
             MessageKind::Error => "error",
         };
-        self.state().messages.push((kind, text.to_owned()));
+        lock(&self.state).messages.push((kind, text.to_owned()));
     }
 
     /// Always true: the level of Python's log selects the messages.
@@ -193,24 +177,24 @@ impl Host for Caller {
     }
 
     fn keeps(&self, name: &Path) -> bool {
-        self.outputs().contains_key(name)
+        lock(&self.outputs).contains_key(name)
     }
 
     fn keep(&self, name: &Path, content: Vec<u8>) {
-        self.outputs().insert(name.into(), content);
+        lock(&self.outputs).insert(name.into(), content);
     }
 
     fn can_stop(&self, _: &'static str, stop: &Arc<AtomicBool>) {
-        self.state().stop = Some(stop.clone());
+        lock(&self.state).stop = Some(stop.clone());
     }
 
     fn cannot_stop(&self) {
-        let mut state = self.state();
+        let mut state = lock(&self.state);
         state.only_answer_is_left |= state.stop.take().is_some();
     }
 
     fn hold(&self) -> Box<dyn FnOnce(&Path) + '_> {
-        let mut files = self.lock_files();
+        let mut files = lock(&self.files);
         if files.is_abandoned {
             drop(files);
             // the call has returned, and its caller expects no more files: end this thread without
@@ -222,7 +206,7 @@ impl Host for Caller {
 
     fn show_progress(&self, _: Work<'_>) -> Arc<dyn Progress> {
         let bar = Arc::new(Bar::default());
-        self.state().bar = Some(bar.clone());
+        lock(&self.state).bar = Some(bar.clone());
         bar
     }
 }
@@ -324,7 +308,7 @@ fn ran<'py>(
                 caller.note_progress();
                 pass_on(&caller, say)?;
                 let written = py.detach(|| {
-                    let mut files = caller.lock_files();
+                    let mut files = lock(&caller.files);
                     files.is_abandoned = true;
                     std::mem::take(&mut files.written)
                 });
@@ -334,16 +318,16 @@ fn ran<'py>(
         };
     // the user may also press Ctrl-C during these last messages
     let raised = raised.or(pass_on(&caller, say).err());
-    let text = std::mem::take(&mut caller.state().answer);
+    let text = std::mem::take(&mut lock(&caller.state).answer);
     let outputs = PyDict::new(py);
-    for (name, content) in caller.outputs().drain() {
+    for (name, content) in lock(&caller.outputs).drain() {
         outputs.set_item(name.to_string_lossy(), PyBytes::new(py, &content))?;
     }
     Ok((status, parsed(py, &text)?, outputs, raised))
 }
 
 fn pass_on(caller: &Caller, say: &Bound<'_, PyAny>) -> PyResult<()> {
-    let messages = std::mem::take(&mut caller.state().messages);
+    let messages = std::mem::take(&mut lock(&caller.state).messages);
     messages
         .into_iter()
         .try_for_each(|message| say.call1(message).map(drop))
@@ -353,7 +337,7 @@ fn shown(caller: &Caller, progress: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
     let Some(progress) = progress else {
         return Ok(());
     };
-    let bar = caller.state().bar.clone();
+    let bar = lock(&caller.state).bar.clone();
     if let Some(bar) = bar {
         progress.call1((bar.position(), bar.length()))?;
     }

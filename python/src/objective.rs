@@ -19,7 +19,7 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyUntypedArray
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PySequenceMethods, PyTuple};
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 
 /// The last point at which the function was evaluated, with its results. `found` is `None` for a
 /// point without a value.
@@ -189,7 +189,7 @@ impl PyObjective {
         let mut requested = order;
         // release the lock before the computation, because other Python code may call this method
         // meanwhile
-        if let Some(point) = &mut *self.last() {
+        if let Some(point) = &mut *pool::lock(&self.last) {
             if point.x == x {
                 point.requested = point.requested.max(order);
                 requested = point.requested;
@@ -216,17 +216,13 @@ impl PyObjective {
                 taylor
             }
         });
-        *self.last() = Some(Point {
+        *pool::lock(&self.last) = Some(Point {
             x,
             order: to,
             requested,
             found: found.clone(),
         });
         Ok(found)
-    }
-
-    fn last(&self) -> MutexGuard<'_, Option<Point>> {
-        self.last.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The value in `found`. An error becomes `None` if `gives_nan` is true.

@@ -4,9 +4,9 @@ use crate::boundary::{Answer, unpanicked};
 use longdrive::Setup;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicPtr, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Time between two checks for Ctrl-C.
@@ -57,6 +57,11 @@ fn pool() -> std::io::Result<&'static ThreadPool> {
 fn shared(own: *const Own) -> Option<&'static Own> {
     // SAFETY: null, or from Box::into_raw in `pool`, and never freed
     unsafe { own.as_ref() }
+}
+
+/// Locks a value, which stays usable after a panic of a thread that had locked it.
+pub fn lock<T>(value: &Mutex<T>) -> MutexGuard<'_, T> {
+    value.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// The result of work that Python may interrupt.

@@ -3,14 +3,12 @@
 use crate::boundary::{Answer, Failure};
 use crate::hessians::Hessians;
 use longdrive::batch::{Block, Status, StatusCounts};
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Mutex, PoisonError};
 
 /// Status number of a drive that landed, but lacks a requested outcome or derivative. It follows
 /// the numbers of `longdrive::batch::Status`.
 const UNDEFINED: i8 = Status::ALL.len() as i8;
 
-/// The results of a batch, column after column.
+/// The results of a batch or of one of its chunks, column after column.
 pub struct Results {
     /// Number of allocated rows.
     pub room: usize,
@@ -24,16 +22,9 @@ pub struct Results {
     pub status_counts: StatusCounts,
 }
 
-/// The results of a chunk.
-pub struct Chunk {
-    columns: Vec<f64>,
-    status: Vec<i8>,
-    hessians: Vec<f64>,
-    status_counts: StatusCounts,
-}
-
-impl Chunk {
-    pub fn of(block: &Block, width: usize, hessians: Option<&Hessians>) -> Self {
+impl Results {
+    /// The results of a chunk, with `width` outcomes and derivatives in each row.
+    pub fn of_chunk(block: &Block, width: usize, hessians: Option<&Hessians>) -> Self {
         let rows = block.rows();
         let mut status: Vec<i8> = (0..rows).map(|row| block.status(row) as i8).collect();
         let of_point = if rows > 0 { block.point(0).len() } else { 0 };
@@ -74,15 +65,15 @@ impl Chunk {
         status_counts.add(block);
         points.append(&mut columns);
         Self {
+            room: rows,
+            done: rows,
             columns: points,
             status,
             hessians: seconds,
             status_counts,
         }
     }
-}
 
-impl Results {
     /// Allocates memory for `room` rows. Each row has `width` numbers in the columns and
     /// `of_hessians` second derivatives.
     pub fn new(room: usize, width: usize, of_hessians: usize) -> Answer<Self> {
@@ -112,8 +103,8 @@ impl Results {
     }
 
     /// Appends the rows of a chunk.
-    fn append(&mut self, chunk: &Chunk) {
-        let rows = chunk.status.len();
+    pub fn append(&mut self, chunk: &Self) {
+        let rows = chunk.done;
         for (to, from) in self
             .columns
             .chunks_exact_mut(self.room.max(1))
@@ -127,45 +118,5 @@ impl Results {
             .copy_from_slice(&chunk.hessians);
         self.status_counts.merge(&chunk.status_counts);
         self.done += rows;
-    }
-}
-
-/// The state shared by the thread of Python and the computing threads.
-pub struct Shared {
-    results: Mutex<Option<Results>>,
-    done: AtomicU64,
-}
-
-impl Shared {
-    pub fn new(results: Results) -> Self {
-        Self {
-            results: Mutex::new(Some(results)),
-            done: AtomicU64::new(0),
-        }
-    }
-
-    /// Appends the rows of a chunk, unless Python has taken the results.
-    pub fn append(&self, chunk: &Chunk) {
-        self.with(|results| {
-            if let Some(results) = results {
-                results.append(chunk);
-                self.done.store(results.done as u64, Ordering::Relaxed);
-            }
-        });
-    }
-
-    /// Number of computed rows.
-    pub fn done(&self) -> u64 {
-        self.done.load(Ordering::Relaxed)
-    }
-
-    /// Takes the results.
-    pub fn end(&self) -> Answer<Results> {
-        self.with(Option::take)
-            .ok_or_else(|| Failure::Internal("a batch without results".into()))
-    }
-
-    fn with<R>(&self, work: impl FnOnce(&mut Option<Results>) -> R) -> R {
-        work(&mut self.results.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }

@@ -17,7 +17,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyIterator, PyList, PyMapping, PyString};
 use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock};
 
 /// Largest `flight.time_limit`, s, for which the step is chosen on the thread of Python. Up to this
 /// limit, the choice takes at most tenths of a second.
@@ -118,7 +118,7 @@ impl PySetup {
         // one setup for each preset, so that its step is chosen only once. The thread that holds
         // this lock also holds Python's lock, so no other thread can fork the process meanwhile
         static KNOWN: Mutex<Vec<PySetup>> = Mutex::new(vec![]);
-        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut known = pool::lock(&KNOWN);
         if let Some(read) = known.iter().find(|read| read.file.preset.name == name) {
             return Ok(read.clone());
         }
