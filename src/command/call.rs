@@ -66,7 +66,54 @@ pub enum ArgumentValue {
 impl ArgumentValue {
     /// The text of a value on the command line, such as `club.loft=0.1 rad..20 deg`.
     pub fn text(&self) -> OsString {
-        CommandLine::default().text(self, None)
+        self.text_in(None, &mut vec![])
+    }
+
+    /// The text of a value whose numbers have the quantity `quantity`. Adds angles that are numbers
+    /// without a unit, rad, to `bare_angles`.
+    fn text_in(&self, quantity: Option<Quantity>, bare_angles: &mut Vec<f64>) -> OsString {
+        match self {
+            Self::Switch(is_on) => is_on.to_string().into(),
+            Self::Text(text) => text.clone(),
+            Self::Whole(number) => number.to_string().into(),
+            Self::Number(number) => {
+                if quantity == Some(Quantity::ANGLE) {
+                    bare_angles.push(*number);
+                }
+                let unit = quantity.map_or("", |quantity| quantity.si);
+                format!("{number:?} {unit}").trim_end().into()
+            }
+            Self::Range { low, high, count } => {
+                let mut text = low.text_in(quantity, bare_angles);
+                text.push("..");
+                text.push(high.text_in(quantity, bare_angles));
+                if let Some(count) = count {
+                    text.push(format!(":{count}"));
+                }
+                text
+            }
+            Self::Distribution(kind, numbers) => {
+                let mut text = OsString::from(format!("{kind}("));
+                for (at, number) in numbers.iter().enumerate() {
+                    text.push(if at == 0 { "" } else { "," });
+                    text.push(number.text_in(quantity, bare_angles));
+                }
+                text.push(")");
+                text
+            }
+            Self::Named(name, value) => {
+                let mut text = OsString::from(format!("{name}="));
+                text.push(value.text_in(quantity_of(name), bare_angles));
+                text
+            }
+            Self::Several(values) | Self::Joined(values) => {
+                let texts: Vec<_> = values
+                    .iter()
+                    .map(|value| value.text_in(quantity, bare_angles))
+                    .collect();
+                texts.join(",".as_ref())
+            }
+        }
     }
 }
 
@@ -94,9 +141,7 @@ impl Call {
         }
         let mut line = CommandLine {
             words: vec!["longdrive".into()],
-            goal: self.goal(),
-            along: self.along(),
-            ..CommandLine::default()
+            bare_angles: vec![],
         };
         line.words
             .extend(self.command.split(' ').map(OsString::from));
@@ -106,10 +151,25 @@ impl Call {
                 .iter()
                 .filter(|(name, _)| name_of(arg) == *name);
             for (_, value) in own {
-                line.argument(arg, value);
+                line.argument(arg, value, self.quantity(arg));
             }
         }
         Ok(line)
+    }
+
+    /// The physical quantity of an argument's value, from the placeholder in the help, such as
+    /// LENGTH.
+    fn quantity(&self, arg: &Arg) -> Option<Quantity> {
+        match arg.get_value_names()?.first()?.as_str() {
+            "AMOUNT" => self.goal(),
+            "VALUE,…" => self.along(),
+            "LENGTH" => Some(Quantity::LENGTH),
+            "SPEED" => Some(Quantity::SPEED),
+            "ANGLE" => Some(Quantity::ANGLE),
+            "TEMPERATURE" => Some(Quantity::TEMPERATURE),
+            "SPIN" => Some(Quantity::ANGULAR_VELOCITY),
+            _ => None,
+        }
     }
 
     /// The quantity of the goal of a search; the default goal is the carry. `None` if the goal has
@@ -186,23 +246,19 @@ pub fn quantity_of(name: &str) -> Option<Quantity> {
 }
 
 /// The command line of a call.
-#[derive(Default)]
 pub(super) struct CommandLine {
     /// The words, the name of the program first.
     pub words: Vec<OsString>,
     /// Angles that the call gives as numbers without a unit, rad.
     pub bare_angles: Vec<f64>,
-    /// The quantity of the goal of a search.
-    goal: Option<Quantity>,
-    /// The quantity of the parameter that `along` names.
-    along: Option<Quantity>,
 }
 
 impl CommandLine {
-    fn argument(&mut self, arg: &Arg, value: &ArgumentValue) {
+    /// Adds an argument whose numbers have the quantity `quantity`.
+    fn argument(&mut self, arg: &Arg, value: &ArgumentValue, quantity: Option<Quantity>) {
         if let ArgumentValue::Several(values) = value {
             for value in values {
-                self.argument(arg, value);
+                self.argument(arg, value, quantity);
             }
             return;
         }
@@ -218,70 +274,9 @@ impl CommandLine {
             if !arg.is_positional() {
                 word.push("=");
             }
-            word.push(self.text(value, self.quantity(arg)));
+            word.push(value.text_in(quantity, &mut self.bare_angles));
         }
         self.words.push(word);
-    }
-
-    /// The physical quantity of an argument's value, from the placeholder in the help, such as
-    /// LENGTH.
-    fn quantity(&self, arg: &Arg) -> Option<Quantity> {
-        match arg.get_value_names()?.first()?.as_str() {
-            "AMOUNT" => self.goal,
-            "VALUE,…" => self.along,
-            "LENGTH" => Some(Quantity::LENGTH),
-            "SPEED" => Some(Quantity::SPEED),
-            "ANGLE" => Some(Quantity::ANGLE),
-            "TEMPERATURE" => Some(Quantity::TEMPERATURE),
-            "SPIN" => Some(Quantity::ANGULAR_VELOCITY),
-            _ => None,
-        }
-    }
-
-    /// A value as text. The numbers in the value have the quantity `quantity`.
-    fn text(&mut self, value: &ArgumentValue, quantity: Option<Quantity>) -> OsString {
-        match value {
-            ArgumentValue::Switch(is_on) => is_on.to_string().into(),
-            ArgumentValue::Text(text) => text.clone(),
-            ArgumentValue::Whole(number) => number.to_string().into(),
-            ArgumentValue::Number(number) => {
-                if quantity == Some(Quantity::ANGLE) {
-                    self.bare_angles.push(*number);
-                }
-                let unit = quantity.map_or("", |quantity| quantity.si);
-                format!("{number:?} {unit}").trim_end().into()
-            }
-            ArgumentValue::Range { low, high, count } => {
-                let mut text = self.text(low, quantity);
-                text.push("..");
-                text.push(self.text(high, quantity));
-                if let Some(count) = count {
-                    text.push(format!(":{count}"));
-                }
-                text
-            }
-            ArgumentValue::Distribution(kind, numbers) => {
-                let mut text = OsString::from(format!("{kind}("));
-                for (at, number) in numbers.iter().enumerate() {
-                    text.push(if at == 0 { "" } else { "," });
-                    text.push(self.text(number, quantity));
-                }
-                text.push(")");
-                text
-            }
-            ArgumentValue::Named(name, value) => {
-                let mut text = OsString::from(format!("{name}="));
-                text.push(self.text(value, quantity_of(name)));
-                text
-            }
-            ArgumentValue::Several(values) | ArgumentValue::Joined(values) => {
-                let texts: Vec<_> = values
-                    .iter()
-                    .map(|value| self.text(value, quantity))
-                    .collect();
-                texts.join(",".as_ref())
-            }
-        }
     }
 }
 

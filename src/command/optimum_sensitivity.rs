@@ -124,7 +124,7 @@ fn analyse(
         .wrt
         .iter()
         .copied()
-        .filter(|p| best.search.vary.iter().all(|vary| vary.parameter != *p))
+        .filter(|parameter| !best.search.parameters().any(|varied| varied == *parameter))
         .collect();
     let sensitivities = with_bar("parameters", |show| sensitivities(best, &wrt, show));
     if let (None, Some((_, message))) = (requested.loss, short_drive(best)) {

@@ -108,12 +108,9 @@ impl Args {
 /// parameters re-optimized. Omits the parameters of the roll-out if no outcome of the search
 /// depends on the roll-out.
 fn total_slopes(best: &Optimum) -> Result<Vec<(&'static Parameter, Result<Sensitivity>)>> {
-    let is_varied = |parameter: &Parameter| {
-        let mut varied = best.search.vary.iter();
-        varied.any(|vary| vary.parameter == parameter)
-    };
+    let varied: Vec<_> = best.search.parameters().collect();
     let mut wrt = all_variables(&best.setup, &best.search.outcomes());
-    wrt.retain(|parameter| !is_varied(parameter));
+    wrt.retain(|parameter| !varied.contains(parameter));
     sensitivities(best, &wrt, &|_, _| ())
 }
 
