@@ -20,8 +20,8 @@ pub enum System {
 }
 
 variant_names! {
-    /// Name on the command line: `metric`, `us`.
-    System {
+    /// Name on the command line, and in JSON: `metric`, `us`.
+    System as "System" {
         Metric = "metric",
         Us = "us",
     }

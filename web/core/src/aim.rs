@@ -6,13 +6,13 @@
 
 use crate::message;
 use crate::refusal::Refusal;
-use crate::request::{CheckedSetup, RangeRequest, SetupRequest, Units};
+use crate::request::{CheckedSetup, RangeRequest, SetupRequest};
 use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::number::Number;
 use longdrive::optimize::{Domain, Evaluation, Exact, Functions, Options, minimize};
 use longdrive::parameters::Vary;
 use longdrive::study::Plane;
-use longdrive::units::{Digits, Message, Quantity};
+use longdrive::units::{Digits, Message, Quantity, System};
 use longdrive::{Error, Outcome, Setup};
 use serde::{Deserialize, Serialize};
 use std::cell::Cell;
@@ -48,7 +48,7 @@ pub struct Request {
     #[serde(default)]
     setup: SetupRequest,
     #[serde(default)]
-    units: Units,
+    units: System,
     vary: [RangeRequest; 2],
     carry: f64,
     lateral: f64,

@@ -2,11 +2,12 @@
 
 use crate::message;
 use crate::refusal::Refusal;
-use crate::request::{CheckedSetup, SetupRequest, Units};
+use crate::request::{CheckedSetup, SetupRequest};
 use longdrive::derivative::{Order, Taylor, diagonal, evaluate};
 use longdrive::flight::{Flight, Trajectory, trajectory};
 use longdrive::number::Vector;
 use longdrive::parameters::{Parameter, idle_warnings};
+use longdrive::units::System;
 use longdrive::{Drive, Error, Outcome};
 use serde::{Deserialize, Serialize};
 
@@ -17,7 +18,7 @@ pub struct Request {
     #[serde(default)]
     setup: SetupRequest,
     #[serde(default)]
-    units: Units,
+    units: System,
     #[serde(default)]
     of: Vec<String>,
     #[serde(default)]

@@ -2,10 +2,11 @@
 
 use crate::message;
 use crate::refusal::Refusal;
-use crate::request::{RangeRequest, SetupRequest, Units};
+use crate::request::{RangeRequest, SetupRequest};
 use longdrive::optimize::{Iteration, Observer, QuadraticModel};
 use longdrive::parameters::Vary;
 use longdrive::study::{Optimum, Search, optimum};
+use longdrive::units::System;
 use longdrive::{Error, Outcome, Setup};
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
@@ -18,7 +19,7 @@ pub struct Request {
     #[serde(default)]
     setup: SetupRequest,
     #[serde(default)]
-    units: Units,
+    units: System,
     of: String,
     vary: Vec<RangeRequest>,
 }

@@ -2,9 +2,10 @@
 
 use crate::message;
 use crate::refusal::Refusal;
-use crate::request::{RangeRequest, SetupRequest, Units};
+use crate::request::{RangeRequest, SetupRequest};
 use longdrive::derivative::Order;
 use longdrive::study::Plane;
+use longdrive::units::System;
 use serde::{Deserialize, Serialize};
 
 /// The largest number of nodes.
@@ -17,7 +18,7 @@ pub struct Request {
     #[serde(default)]
     setup: SetupRequest,
     #[serde(default)]
-    units: Units,
+    units: System,
     of: Vec<String>,
     across: RangeRequest,
     up: RangeRequest,

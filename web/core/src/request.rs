@@ -1,4 +1,4 @@
-//! Parts that the requests share: a setup, ranges of parameters, and units.
+//! Parts that the requests share: a setup, and ranges of parameters.
 
 use crate::refusal::Refusal;
 use crate::words::in_page_words;
@@ -30,26 +30,6 @@ pub struct RangeRequest {
     high: Value,
 }
 
-/// The units of messages.
-#[derive(Clone, Copy, Debug, Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Units {
-    /// Yards and miles per hour.
-    #[default]
-    Us,
-    /// Metres and metres per second.
-    Metric,
-}
-
-impl From<Units> for System {
-    fn from(units: Units) -> Self {
-        match units {
-            Units::Us => Self::Us,
-            Units::Metric => Self::Metric,
-        }
-    }
-}
-
 /// The setup of a request, and the units of its messages.
 #[derive(Clone, Debug)]
 pub struct CheckedSetup<'a> {
@@ -66,8 +46,7 @@ impl SetupRequest {
     ///
     /// # Errors
     /// The message of the program for an unknown name, and for a value that it does not accept.
-    pub fn read(&self, units: Units) -> Result<CheckedSetup<'_>, Refusal> {
-        let system = units.into();
+    pub fn read(&self, system: System) -> Result<CheckedSetup<'_>, Refusal> {
         let mut checked = CheckedSetup {
             setup: Setup::modern_driver(),
             system,

@@ -2,10 +2,11 @@
 
 use crate::message;
 use crate::refusal::Refusal;
-use crate::request::{RangeRequest, SetupRequest, Units};
+use crate::request::{RangeRequest, SetupRequest};
 use longdrive::Outcome;
 use longdrive::drive::OutcomeGroup;
 use longdrive::integration::accuracy;
+use longdrive::units::System;
 use serde::{Deserialize, Serialize};
 
 /// The head of a request: the setup, the ranges, and the outcomes with their tolerance.
@@ -15,7 +16,7 @@ pub struct Request {
     #[serde(default)]
     setup: SetupRequest,
     #[serde(default)]
-    units: Units,
+    units: System,
     #[serde(default)]
     of: Vec<String>,
     #[serde(default)]

@@ -2,10 +2,11 @@
 
 use crate::message;
 use crate::refusal::Refusal;
-use crate::request::{RangeRequest, SetupRequest, Units};
+use crate::request::{RangeRequest, SetupRequest};
 use longdrive::batch::Batch;
 use longdrive::parameters::Parameter;
 use longdrive::reproduce::{LoopLanding, loop_landing};
+use longdrive::units::System;
 use longdrive::{Error, Outcome, Setup};
 use serde::{Deserialize, Serialize};
 
@@ -19,7 +20,7 @@ pub struct Request {
     #[serde(default)]
     setup: SetupRequest,
     #[serde(default)]
-    units: Units,
+    units: System,
     along: RangeRequest,
     nodes: usize,
     step: f64,
