@@ -2,7 +2,7 @@
 
 use crate::command::args::{stated, whole};
 use crate::command::files::{Destination, OutputRule, ending};
-use crate::command::output::{Answer, is_json, note, stated_system, system, warn, warnings};
+use crate::command::output::{Answer, is_json, note, stated_system, warn, warnings};
 #[cfg(not(feature = "png"))]
 use crate::features::how_to_get;
 use crate::report::plot::{Figure, Look, figure_csv, figure_svg};
@@ -127,7 +127,6 @@ impl<'a> PlotDestination<'a> {
         let drawing = self.drawing;
         warn(of_drives);
         let look = Look {
-            system: system(),
             is_dark: drawing.dark,
             width: drawing.width.unwrap_or(WIDTH),
         };

@@ -434,13 +434,11 @@ fn add_pictures(
         .iter()
         .zip(setups)
         .filter(|(flown, _)| flown.drive.landed().is_ok());
-    let drives: Vec<_> = flying
-        .map(|(flown, setup)| (flown.role.clone(), setup))
-        .collect();
+    let drives: Vec<_> = flying.map(|(flown, setup)| (flown.role, setup)).collect();
     let landing = |(role, setup): &(DriveRole, &Setup<f64>)| {
         let setup = setup.with_assumed_launch()?;
         let sigmas = with_defaults(&setup, given, &[Outcome::Carry, Outcome::Lateral])?;
-        Landing::of(role.clone(), &setup, &sigmas)
+        Landing::of(*role, &setup, &sigmas)
     };
     let is_struck =
         !setup.launch.is_given() && flown.first().is_some_and(|own| own.drive.landed().is_ok());

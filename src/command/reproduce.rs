@@ -82,7 +82,7 @@ pub fn write(folder: &Folder, report: &impl Report, system: System) -> Result<()
     let mut files = document_files(&InBoth::of(|system| report.document(system)), system)?;
     files.push(TextFile {
         name: DOCUMENT[0].into(),
-        text: report.document(system).markdown(system),
+        text: report.document(system).markdown(),
     });
     let count = folder.write(
         files

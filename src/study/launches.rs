@@ -42,10 +42,10 @@ pub struct NamedLaunch {
 }
 
 impl NamedLaunch {
-    fn of(role: &DriveRole, drive: &Drive<f64>) -> Self {
+    fn of(role: DriveRole, drive: &Drive<f64>) -> Self {
         let launch = &drive.launch;
         Self {
-            role: role.clone(),
+            role,
             launch_angle: launch.launch_angle(),
             backspin: launch.backspin(),
             ball_speed: launch.ball_speed(),
@@ -75,7 +75,7 @@ impl Launches {
         let mut first = None;
         for (role, setup) in drives {
             let drive = Drive::new(setup)?;
-            launched.push(NamedLaunch::of(role, &drive));
+            launched.push(NamedLaunch::of(*role, &drive));
             first.get_or_insert((*setup, drive.launch));
         }
         let (own, launch) = first.ok_or(Error::Nothing {

@@ -4,7 +4,7 @@ use crate::flight::{Trajectory, trajectory};
 use crate::parameters::Setup;
 
 /// The role of a drive among the drives of a plot or a page.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DriveRole {
     /// The only drive, which needs no name.
     Alone,
@@ -12,18 +12,15 @@ pub enum DriveRole {
     AsSetUp,
     /// The drive at an optimum.
     Optimum,
-    /// Another drive, with its name.
-    Other(String),
 }
 
 impl DriveRole {
     /// The name of the drive; empty for the only drive.
-    pub fn name(&self) -> &str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Alone => "",
             Self::AsSetUp => NamedDrive::AS_SET_UP,
             Self::Optimum => NamedDrive::OPTIMUM,
-            Self::Other(name) => name,
         }
     }
 }

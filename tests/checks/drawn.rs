@@ -978,8 +978,11 @@ fn same_flights_in_a_launch_map_and_alone() {
     lofted.launch.spin = Some(300.0);
     let mut faster = lofted;
     faster.launch.ball_speed = Some(75.0);
-    let drives = [("first", &lofted), ("same", &lofted), ("faster", &faster)];
-    let drives = drives.map(|(name, setup)| (DriveRole::Other(name.into()), setup));
+    let drives = [
+        (DriveRole::AsSetUp, &lofted),
+        (DriveRole::Optimum, &lofted),
+        (DriveRole::Optimum, &faster),
+    ];
     let map = Launches::around(&drives).unwrap();
     let note = launches_figure(&map, System::Us).note;
     assert_eq!(note.matches(", its own ball speed").count(), 1, "{note}");

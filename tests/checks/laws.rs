@@ -6,7 +6,7 @@ use longdrive::number::Number;
 use longdrive::parameters::{Law, LawVariable};
 use longdrive::report::figures::{Coefficient, Over, laws_figure};
 use longdrive::report::plot::{Hue, Look, figure_svg};
-use longdrive::units::Message;
+use longdrive::units::{Message, System};
 use longdrive::{Drive, Outcome, Setup};
 use num_dual::Dual2_64;
 
@@ -684,7 +684,7 @@ fn a_plot_of_laws_shows_the_law_in_use_among_the_others() {
         })
         .collect();
     for of in [Coefficient::Drag, Coefficient::Lift] {
-        let figure = laws_figure(&laws, &setup, Over::SpinRatio, 1.5e5, of);
+        let figure = laws_figure(&laws, &setup, Over::SpinRatio, 1.5e5, of, System::Us);
         assert_eq!(figure.y.range, Some([0.0, 0.5]));
         for layer in &figure.layers {
             let is_used = layer.name == setup.law.name();

@@ -4,6 +4,7 @@
 use crate::command_line::{longdrive, on_one_line};
 use longdrive::Error;
 use longdrive::report::plot::{Axis, Figure, Layer, Look, NamedQuantity, figure_svg};
+use longdrive::units::System;
 
 const WIDTHS: [u32; 10] = [240, 280, 320, 340, 380, 420, 480, 640, 800, 1200];
 
@@ -340,7 +341,7 @@ fn labels_of_the_face_belong_to_their_marks() {
 #[test]
 fn a_width_too_narrow_for_a_picture_is_refused_with_the_least_width() {
     let axis = |label: &str| Axis::linear(NamedQuantity::plain(label));
-    let figure = Figure::new("n", "t", axis("x"), axis("y")).with(Layer::line(
+    let figure = Figure::new(System::Us, "n", "t", axis("x"), axis("y")).with(Layer::line(
         "",
         0,
         vec![[0.0, 0.0], [1.0, 1e9]],

@@ -72,7 +72,8 @@ fn rows(csv: &str, kind: &str) -> Vec<Vec<f64>> {
     .collect()
 }
 
-fn figures() -> Vec<Figure> {
+/// The titles of the trajectories have characters that XML escapes.
+fn figures(system: System) -> Vec<Figure> {
     let setup = Setup::modern_driver();
     let ranges = ["club.loft=4deg..20deg", "swing.attack_angle=-15deg..5deg"]
         .map(|text| Vary::read(&setup, text).unwrap());
@@ -83,14 +84,19 @@ fn figures() -> Vec<Figure> {
     let landscape = map(&setup, Outcome::Carry, ranges[0], ranges[1], fineness).unwrap();
     let mut crooked = setup;
     crooked.set("swing.path", "3 deg").unwrap();
-    let flown = [NamedDrive::new(DriveRole::Other("as <set> & \"up\"".into()), &crooked).unwrap()];
+    let flown = [NamedDrive::new(DriveRole::AsSetUp, &crooked).unwrap()];
     let sigmas = with_defaults(&setup, &[], &[Outcome::Carry]).unwrap();
     let effects = effects(&setup, &[Outcome::Carry], &sigmas, &|_, _| ()).unwrap();
     let loft = setup.variable("club.loft").unwrap();
     let certificate = certify(&setup, &[Outcome::Carry], &[loft], &|_, _| true).unwrap();
+    let path = |view| {
+        let mut figure = trajectory_figure(&flown, view, system).unwrap();
+        figure.title += " <of> & \"up\"";
+        figure
+    };
     vec![
-        trajectory_figure(&flown, View::Side, System::Us).unwrap(),
-        trajectory_figure(&flown, View::Top, System::Us).unwrap(),
+        path(View::Side),
+        path(View::Top),
         map_figure(
             &landscape,
             &OnMap {
@@ -100,12 +106,13 @@ fn figures() -> Vec<Figure> {
                 best: None,
                 region: None,
             },
-            System::Us,
+            system,
         ),
-        tornado_figure(&effects[0], Causes::All, System::Us).unwrap(),
+        tornado_figure(&effects[0], Causes::All, system).unwrap(),
         vcurve_figure(
             &certificate.rows,
             &longdrive::reproduce::while_loop(&setup, &certificate.rows),
+            system,
         ),
     ]
 }
@@ -186,20 +193,15 @@ fn same_positions_in_the_picture_and_in_the_data() {
     // the limits of both axes are exact: a diagonal line ends in the corners of the frame, in
     // metres and in yards
     let length = || Axis::linear(NamedQuantity::outcome(Outcome::Carry)).exactly(0.0, 91.44);
-    let figure = Figure::new("n", "t", length(), length()).with(Layer::line(
-        "",
-        0,
-        vec![[0.0, 0.0], [45.72, 45.72], [91.44, 91.44]],
-    ));
+    let figure = |system| {
+        Figure::new(system, "n", "t", length(), length()).with(Layer::line(
+            "",
+            0,
+            vec![[0.0, 0.0], [45.72, 45.72], [91.44, 91.44]],
+        ))
+    };
     let ends = |system| {
-        let svg = figure_svg(
-            &figure,
-            &Look {
-                system,
-                ..Look::default()
-            },
-        )
-        .unwrap();
+        let svg = figure_svg(&figure(system), &Look::default()).unwrap();
         polylines(&whole(&svg))
             .into_iter()
             // the axes also have three points; the data are drawn after them
@@ -221,7 +223,7 @@ fn same_positions_in_the_picture_and_in_the_data() {
             );
         }
     }
-    let us = figure_svg(&figure, &Look::default()).unwrap();
+    let us = figure_svg(&figure(System::Us), &Look::default()).unwrap();
     let ticks = whole(&us);
     assert!(
         words(&ticks).contains(&"100") && words(&ticks).contains(&"carry [yd]"),
@@ -234,7 +236,7 @@ fn same_positions_in_the_picture_and_in_the_data() {
 fn a_label_at_the_end_of_an_axis_lies_within_the_picture() {
     for (low, high) in [(4e4, 2.4e5), (0.0, 12.0), (1e6, 3e6), (0.0, 0.0004)] {
         let axis = || Axis::linear(NamedQuantity::plain("n"));
-        let figure = Figure::new("n", "t", axis(), axis()).with(Layer::line(
+        let figure = Figure::new(System::Us, "n", "t", axis(), axis()).with(Layer::line(
             "",
             0,
             vec![[low, 1.0], [high, 2.0]],
@@ -284,7 +286,7 @@ fn every_series_differs_from_every_other_one() {
         )
     };
     let picture = |layer: Layer| {
-        let figure = Figure::new("n", "t", axis(), axis()).with(layer);
+        let figure = Figure::new(System::Us, "n", "t", axis(), axis()).with(layer);
         figure_svg(&figure, &Look::default()).unwrap()
     };
     let kinds: [&dyn Fn(usize) -> Layer; 3] =
@@ -304,7 +306,7 @@ fn every_series_differs_from_every_other_one() {
     // cross bars distinguish series of one colour; the legend, at the top of the picture, has them
     // too
     let figure = |hue: usize| {
-        Figure::new("n", "t", axis(), axis())
+        Figure::new(System::Us, "n", "t", axis(), axis())
             .with(line(hue, false))
             .with(line(0, false))
     };
@@ -321,19 +323,16 @@ fn every_series_differs_from_every_other_one() {
 
 #[test]
 fn pictures_are_whole_in_both_systems_light_and_dark() {
-    for figure in figures() {
+    let [metric, us] = System::ALL.map(figures);
+    for figures in metric.iter().zip(&us).map(|(metric, us)| [metric, us]) {
         let mut seen: Vec<String> = vec![];
-        for system in System::ALL {
+        for figure in figures {
             for is_dark in [false, true] {
-                let svg = figure_svg(
-                    &figure,
-                    &Look {
-                        system,
-                        is_dark,
-                        ..Look::default()
-                    },
-                )
-                .unwrap();
+                let look = Look {
+                    is_dark,
+                    ..Look::default()
+                };
+                let svg = figure_svg(figure, &look).unwrap();
                 let parsed = whole(&svg);
                 assert_eq!(
                     parsed.root_element().attribute("aria-label"),
@@ -344,7 +343,11 @@ fn pictures_are_whole_in_both_systems_light_and_dark() {
                     "{}: two series look alike",
                     figure.name
                 );
-                let unit = if system == System::Us { "[yd]" } else { "[m]" };
+                let unit = if figure.system == System::Us {
+                    "[yd]"
+                } else {
+                    "[m]"
+                };
                 let has_lengths = figure.x.quantity.head(TableUnits::Si).contains("[m]");
                 assert_eq!(
                     words(&parsed).iter().any(|text| text.contains(unit)),
@@ -355,18 +358,19 @@ fn pictures_are_whole_in_both_systems_light_and_dark() {
                 drop(parsed);
                 seen.push(svg);
             }
+            let table = figure_csv(figure, TableUnits::Si).unwrap();
+            assert!(
+                table.lines().count() > 2 && !table.contains("NaN"),
+                "{table}"
+            );
         }
-        let table = figure_csv(&figure, TableUnits::Si).unwrap();
-        assert!(
-            table.lines().count() > 2 && !table.contains("NaN"),
-            "{table}"
-        );
     }
 }
 
 #[test]
 fn impossible_plots_are_refused() {
     let empty = Figure::new(
+        System::Us,
         "none",
         "t",
         Axis::linear(NamedQuantity::plain("x")),
@@ -395,7 +399,7 @@ fn a_map_without_columns_is_an_empty_picture() {
         gradients: vec![],
         common_values: vec![],
     };
-    let map = Figure::new("empty", "t", axis(), axis()).with(Layer::contours(field));
+    let map = Figure::new(System::Us, "empty", "t", axis(), axis()).with(Layer::contours(field));
     whole(&figure_svg(&map, &Look::default()).unwrap());
 }
 
@@ -439,7 +443,7 @@ fn limits_on_a_map_are_where_the_outcome_reaches_them() {
 
 #[test]
 fn same_tornado_bars_and_drives() {
-    let all = figures();
+    let all = figures(System::Us);
     let csv = figure_csv(&all[3], TableUnits::Si).unwrap();
     let bar = csv
         .lines()

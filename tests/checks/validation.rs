@@ -38,7 +38,7 @@ fn differences(of: &SetScores, law: &str, compared: Compared) -> Vec<f64> {
 #[test]
 fn a_part_of_pictures_alone_is_left_out_of_the_text() {
     let document = ValidationReport { sets: &FOUND }.document(System::Us);
-    let (text, markdown) = (document.text(&WHOLE), document.markdown(System::Us));
+    let (text, markdown) = (document.text(&WHOLE), document.markdown());
     assert!(
         document.figures().next().is_some()
             && markdown.contains("In pictures")
@@ -301,7 +301,7 @@ fn is_output(file: &str, output: &str) {
 #[test]
 fn mean_error_of_the_descent_in_the_text_is_that_of_the_drives() {
     let document = ValidationReport { sets: &FOUND }.document(System::Us);
-    let text = document.markdown(System::Us);
+    let text = document.markdown();
     let mut stated = vec![];
     for name in ["pga-clubs", "lpga-clubs"] {
         let errors = differences(set(name), "launch-monitor", Compared::Descent);
@@ -320,7 +320,7 @@ fn mean_error_of_the_descent_in_the_text_is_that_of_the_drives() {
 #[test]
 fn exact_reasons_for_the_default_law_from_the_drives() {
     let document = ValidationReport { sets: &FOUND }.document(System::Us);
-    let text = document.markdown(System::Us);
+    let text = document.markdown();
     let sets = ["pga-driver", "lpga-driver", "pga-radar"].map(set);
     let mean = |of: &SetScores, law: &str, size: fn(f64) -> f64| {
         let errors = differences(of, law, Compared::Carry);
@@ -352,7 +352,7 @@ fn same_numbers_in_validation_md_and_the_program() {
     let text = std::fs::read_to_string(place("validation.md")).unwrap();
     let document = ValidationReport { sets: &FOUND }.document(System::Us);
     let markdown = document
-        .markdown(System::Us)
+        .markdown()
         .replace("\n## ", "\n### ")
         .replace("](validation-", "](pictures/validation-");
     let (_, body) = markdown.split_once("\n\n").unwrap();

@@ -6,6 +6,7 @@ use longdrive::report::figures::vcurve_figure;
 use longdrive::report::plot::{Look, figure_svg};
 use longdrive::reproduce::{LoopRow, while_loop};
 use longdrive::study::certificate::{Certificate, DerivativeRow, certify};
+use longdrive::units::System;
 use longdrive::{Outcome, Setup};
 use std::fmt::Write;
 use std::path::Path;
@@ -41,7 +42,11 @@ pub fn write_on_request() {
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
     std::fs::write(docs.join("verification.md"), sections.join("\n")).unwrap();
     let of_loft = carry.rows.iter().filter(|row| row.of == Outcome::Carry);
-    let picture = figure_svg(&vcurve_figure(of_loft, &loops), &Look::default()).unwrap();
+    let picture = figure_svg(
+        &vcurve_figure(of_loft, &loops, System::Us),
+        &Look::default(),
+    )
+    .unwrap();
     std::fs::write(docs.join("pictures/vcurve.svg"), picture).unwrap();
 }
 

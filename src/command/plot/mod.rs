@@ -305,7 +305,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
             .find(|row| row.of == of && row.parameter == parameter)
     };
     let loops = while_loop(&setup, &certificate.rows);
-    let figure = vcurve_figure(requested.filter_map(row), &loops);
+    let figure = vcurve_figure(requested.filter_map(row), &loops, system());
     target.write(&figure, setup.drive_warnings(&of))
 }
 
@@ -346,7 +346,7 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
         requested.into_iter().map(named).collect()
     }?;
     target.write(
-        &laws_figure(&laws, &setup, args.over, constant, args.show),
+        &laws_figure(&laws, &setup, args.over, constant, args.show, system()),
         vec![],
     )
 }

@@ -295,7 +295,7 @@ impl Report for CalibrationReport<'_> {
         text::estimates(&mut document, table, found, system);
         text::correlations(&mut document, found);
         document.heading("Residuals");
-        for figure in plots::figures(table, found) {
+        for figure in plots::figures(table, found, system) {
             document.figure(figure);
         }
         text::residuals(&mut document, found, system);

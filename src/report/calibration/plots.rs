@@ -3,6 +3,7 @@ use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::report::shown::capital;
 use crate::statistics::extent;
 use crate::study::calibrate::{Calibration, FitResidual, ShotTable};
+use crate::units::System;
 
 struct MeasuredPoint {
     computed: f64,
@@ -13,7 +14,7 @@ struct MeasuredPoint {
 
 /// Two plots for each outcome with more than one measurement: the measured against the computed
 /// values, and the residuals.
-pub(super) fn figures(table: &ShotTable, found: &Calibration) -> Vec<Figure> {
+pub(super) fn figures(table: &ShotTable, found: &Calibration, system: System) -> Vec<Figure> {
     let mut outcomes: Vec<Outcome> = vec![];
     for residual in found
         .residuals
@@ -26,7 +27,12 @@ pub(super) fn figures(table: &ShotTable, found: &Calibration) -> Vec<Figure> {
     }
     let two = |of: Outcome| {
         let points = points(table, found, of);
-        (points.len() > 1).then(|| [agreement(of, &points), residuals(of, &points)])
+        (points.len() > 1).then(|| {
+            [
+                agreement(of, &points, system),
+                residuals(of, &points, system),
+            ]
+        })
     };
     outcomes.into_iter().filter_map(two).flatten().collect()
 }
@@ -54,7 +60,7 @@ fn points(table: &ShotTable, found: &Calibration, of: Outcome) -> Vec<MeasuredPo
 }
 
 /// Plot of the measured against the computed values, with the line where both are equal.
-fn agreement(of: Outcome, points: &[MeasuredPoint]) -> Figure {
+fn agreement(of: Outcome, points: &[MeasuredPoint], system: System) -> Figure {
     let quantity = NamedQuantity::outcome(of);
     let labelled = |which: &str| {
         Axis::linear(NamedQuantity {
@@ -73,6 +79,7 @@ fn agreement(of: Outcome, points: &[MeasuredPoint]) -> Figure {
     };
     let equal = vec![[low, low], [high, high]];
     let mut figure = Figure::new(
+        system,
         format!("measured-{}", of.name().replace('_', "-")),
         format!("{}: measured over computed", capital(&quantity.label)),
         labelled("computed"),
@@ -101,7 +108,7 @@ fn agreement(of: Outcome, points: &[MeasuredPoint]) -> Figure {
 }
 
 /// Plot of the residuals of an outcome against its measured values.
-fn residuals(of: Outcome, points: &[MeasuredPoint]) -> Figure {
+fn residuals(of: Outcome, points: &[MeasuredPoint], system: System) -> Figure {
     let x = NamedQuantity::outcome(of);
     let y = NamedQuantity {
         label: format!("computed − measured {}", x.label),
@@ -109,7 +116,7 @@ fn residuals(of: Outcome, points: &[MeasuredPoint]) -> Figure {
     };
     let title = format!("Residuals of {}", x.label);
     let name = format!("residuals-{}", of.name().replace('_', "-"));
-    Figure::new(name, title, Axis::linear(x), Axis::linear(y)).with(Layer::dots(
+    Figure::new(system, name, title, Axis::linear(x), Axis::linear(y)).with(Layer::dots(
         "shots",
         0,
         points

@@ -1,23 +1,18 @@
 use super::line::Indent;
 use super::{Document, DocumentBlock, DocumentTable, Line};
 use crate::report::frame::svg_name;
-use crate::units::System;
 
 impl Document {
     /// The document as Markdown (CommonMark with GitHub's tables). The figures are separate files
     /// `NAME-us.svg` or `NAME-metric.svg`.
-    pub fn markdown(&self, system: System) -> String {
+    pub fn markdown(&self) -> String {
         let blocks = self.blocks().map(|block| match block {
             DocumentBlock::Heading(text) => format!("## {}\n", escaped(text)),
             DocumentBlock::Paragraph(text) => format!("{}\n", escaped(text)),
             DocumentBlock::List(lines) => lines.iter().map(line).collect(),
             DocumentBlock::Table(found) => table(found),
             DocumentBlock::Figure(figure) => {
-                let picture = format!(
-                    "![{}]({})\n",
-                    escaped(&figure.title),
-                    svg_name(figure, system)
-                );
+                let picture = format!("![{}]({})\n", escaped(&figure.title), svg_name(figure));
                 if figure.note.is_empty() {
                     picture
                 } else {

@@ -119,7 +119,7 @@ impl<'a> ChartDrawing<'a> {
         let [x, y] = [self.along.clone(), quantity].map(Axis::linear);
         Figure {
             subtitle: self.subtitle.clone(),
-            ..Figure::new(name, title, x, y)
+            ..Figure::new(self.system, name, title, x, y)
         }
     }
 

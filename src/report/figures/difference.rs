@@ -41,6 +41,7 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
         ..quantity.clone()
     });
     let mut figure = Figure::new(
+        system,
         format!("difference-{}", of.name()),
         format!("Difference of {} between two drives", quantity.label),
         x,

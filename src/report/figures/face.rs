@@ -99,6 +99,7 @@ pub fn face_figure(face: &Face, system: System) -> Figure {
     ];
     let mut figure = to_scale(
         Figure::new(
+            system,
             "face",
             "Carry lost by where the face is struck",
             across(face),

@@ -43,16 +43,24 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
         .collect();
     let [x, y] = extents(&layers);
     let near = view(
+        system,
         "fairway",
         "Landings from above",
         [x, y],
         SHAPE,
         Grows::Evenly,
     );
-    let mut figure = drawn(near, &layers, system);
+    let mut figure = drawn(near, &layers);
     let whole = [x, with_margin([0.0, y[1]], 0.04, 0.0)];
-    let from_tee = view("fairway-tee", "From the tee", whole, FROM_TEE, Grows::Up);
-    let mut from_tee = drawn(from_tee, &layers, system);
+    let from_tee = view(
+        system,
+        "fairway-tee",
+        "From the tee",
+        whole,
+        FROM_TEE,
+        Grows::Up,
+    );
+    let mut from_tee = drawn(from_tee, &layers);
     clear_names(&mut from_tee.layers);
     from_tee
         .layers
@@ -107,20 +115,27 @@ fn extents(layers: &[Layer]) -> [[f64; 2]; 2] {
 }
 
 /// A figure at true scale whose axes contain these ranges. It has no layers.
-fn view(name: &str, title: &str, ranges: [[f64; 2]; 2], shape: [f64; 2], y_grows: Grows) -> Figure {
+fn view(
+    system: System,
+    name: &str,
+    title: &str,
+    ranges: [[f64; 2]; 2],
+    shape: [f64; 2],
+    y_grows: Grows,
+) -> Figure {
     let downrange = Axis::linear(NamedQuantity::new("downrange", Quantity::LENGTH, "yd"));
-    let figure = Figure::new(name, title, Axis::left_right(), downrange);
+    let figure = Figure::new(system, name, title, Axis::left_right(), downrange);
     to_scale(figure, ranges, shape, [Grows::Evenly, y_grows])
 }
 
 /// Adds the arcs, the fairway, the target line and `layers` to a view.
-fn drawn(mut figure: Figure, layers: &[Layer], system: System) -> Figure {
+fn drawn(mut figure: Figure, layers: &[Layer]) -> Figure {
     let [x, y] = [&figure.x, &figure.y].map(|axis| axis.range.unwrap_or_default());
     let along = |x: f64| vec![[x, y[0].max(0.0)], [x, y[1]]];
     let line = |name: &str, hue: Hue, is_dashed: bool, points: Vec<[f64; 2]>| {
         Layer::new(name, hue, Shape::Line { is_dashed, points })
     };
-    figure.layers.extend(arcs([x, y], system));
+    figure.layers.extend(arcs([x, y], figure.system));
     figure.layers.extend([
         line("fairway", EDGES, false, along(-0.5 * FAIRWAY)),
         line("", EDGES, false, along(0.5 * FAIRWAY)),
@@ -162,7 +177,7 @@ fn arcs([x, y]: [[f64; 2]; 2], system: System) -> Vec<Layer> {
 /// The ellipses, the roll-out and the marks of a drive. The legend names each drive once, at its
 /// largest ellipse, or else at its landing.
 fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
-    let (hue, is_dashed) = style(&landing.role, i);
+    let (hue, is_dashed) = style(landing.role);
     let carry = shown::outcome(Outcome::Carry, landing.at[1], system);
     let name = format!("{}: carry {carry}", landing.role.name());
     let mut layers = vec![];

@@ -19,8 +19,14 @@ pub fn launches_figure(map: &Launches, system: System) -> Figure {
         axis(&map.plane.across, "launch angle"),
         axis(&map.plane.up, "backspin"),
     );
-    let mut figure = Figure::new("launches", "Carry over launch angle and backspin", x, y)
-        .with(Layer::contours(field(&map.plane, 0, Outcome::Carry)));
+    let mut figure = Figure::new(
+        system,
+        "launches",
+        "Carry over launch angle and backspin",
+        x,
+        y,
+    )
+    .with(Layer::contours(field(&map.plane, 0, Outcome::Carry)));
     figure.aspect = 0.85;
     figure.line_names = LineNames::OnLines;
     figure.subtitle = format!(
@@ -33,7 +39,7 @@ pub fn launches_figure(map: &Launches, system: System) -> Figure {
 
 /// The best launch for each spin, and the launches of the drives.
 fn layers(map: &Launches) -> Vec<Layer> {
-    let ridge = has_ridge(map)
+    let ridge = (map.ridge.len() > 1)
         .then(|| Layer::new("best launch", Hue::Ink, Shape::dashed(map.ridge.clone())));
     let place = |one: &NamedLaunch| [one.launch_angle, one.backspin];
     let arrow = match &map.launched[..] {
@@ -44,38 +50,26 @@ fn layers(map: &Launches) -> Vec<Layer> {
         )),
         _ => None,
     };
-    let launched = map.launched.iter().enumerate();
-    let marks = launched.map(|(i, one)| {
-        Layer::new(
-            one.role.name(),
-            style(&one.role, i).0,
-            Shape::Mark(place(one)),
-        )
+    let marks = map.launched.iter().map(|one| {
+        let (hue, _) = style(one.role);
+        Layer::new(one.role.name(), hue, Shape::Mark(place(one)))
     });
     ridge.into_iter().chain(arrow).chain(marks).collect()
 }
 
-/// True if the best launch angles make a line.
-fn has_ridge(map: &Launches) -> bool {
-    map.ridge.len() > 1
-}
-
 fn note(map: &Launches, system: System) -> String {
     let mut notes = vec![];
-    if has_ridge(map) {
+    if map.ridge.len() > 1 {
         notes.push(
             "Dashed: the best launch angle for each backspin, where it is on the map.".to_owned(),
         );
     }
     notes.extend(map.launched.iter().map(|one| note_of(one, map, system)));
-    let first = match map.launched.first() {
-        Some(one) if one.role == DriveRole::AsSetUp => "drive as set up",
-        _ => "first launch",
-    };
-    notes.push(format!(
-        "The map has the ball speed, launch direction and sidespin of the {first}; air and ball \
-         are the setup's."
-    ));
+    notes.push(
+        "The map has the ball speed, launch direction and sidespin of the drive as set up; air and \
+         ball are the setup's."
+            .into(),
+    );
     if map.plane.values[0].iter().any(Option::is_none) {
         notes.push("Without colour: no flight.".into());
     }
@@ -96,7 +90,7 @@ fn note_of(one: &NamedLaunch, map: &Launches, system: System) -> String {
     } else {
         format!(", its own ball speed {speed}")
     };
-    let name = match &one.role {
+    let name = match one.role {
         DriveRole::Alone => "this drive",
         role => role.name(),
     };

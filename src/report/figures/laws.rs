@@ -2,7 +2,7 @@ use crate::aerodynamics::{AerodynamicLaw, Coefficients, Fitted, Stream};
 use crate::atmosphere::AirState;
 use crate::parameters::{Law, Setup};
 use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, NamedQuantity, Shape};
-use crate::units::significant;
+use crate::units::{System, significant};
 
 /// The variable on the horizontal axis of a plot of laws. Spin ratio and Reynolds number are the
 /// two variables; a plot keeps one of them constant.
@@ -62,9 +62,10 @@ pub fn laws_figure(
     over: Over,
     constant: f64,
     of: Coefficient,
+    system: System,
 ) -> Figure {
     let plot = LawPlot::new(setup, over, constant, of);
-    let mut figure = plot.without_layers();
+    let mut figure = plot.without_layers(system);
     figure.line_names = LineNames::AtEnds;
     let is_used = |law: &&Law<f64>| law.name() == setup.law.name();
     let (used, others): (Vec<_>, Vec<_>) = laws.iter().partition(is_used);
@@ -165,7 +166,7 @@ impl LawPlot {
         format!("a {} of {value}", self.constant_name)
     }
 
-    fn without_layers(&self) -> Figure {
+    fn without_layers(&self, system: System) -> Figure {
         let (symbol, words) = match self.of {
             Coefficient::Drag => ("C_D", "Drag"),
             Coefficient::Lift => ("C_L", "Lift"),
@@ -178,6 +179,7 @@ impl LawPlot {
         );
         let constant = self.constant_text();
         Figure::new(
+            system,
             name,
             format!("{words} coefficient over the {label}, at {constant}"),
             Axis::linear(NamedQuantity::plain(label)),

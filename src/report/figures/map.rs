@@ -39,7 +39,7 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
         y.quantity.label
     );
     let name = format!("map-{}", map.of.name());
-    let mut figure = Figure::new(name, title, x, y)
+    let mut figure = Figure::new(system, name, title, x, y)
         .with(Layer::contours(field(&map.plane, 0, map.of)))
         .with(arrows(across, up, &map.slopes));
     figure.aspect = 0.85;

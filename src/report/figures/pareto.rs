@@ -29,7 +29,7 @@ pub fn pareto_figure(
             of: goal.into(),
         });
     let title = format!("{} against {}", capital(&y.label), x.label);
-    let mut figure = Figure::new("pareto", title, Axis::linear(x), Axis::linear(y));
+    let mut figure = Figure::new(system, "pareto", title, Axis::linear(x), Axis::linear(y));
     figure.subtitle = constant_parameters(found, setup, preset, system);
     figure.layers.extend(tangent(found, system));
     // the line is interrupted where the front is disconnected

@@ -35,6 +35,7 @@ pub fn strikes_figure(designs: &[(&str, &Face)], system: System) -> Option<Figur
                     common_values: all.clone(),
                     ..field
                 },
+                system,
             );
             view.subtitle = (*name).into();
             if of == Outcome::SpinAxis && largest > 0.0 {
@@ -53,15 +54,15 @@ pub fn strikes_figure(designs: &[(&str, &Face)], system: System) -> Option<Figur
     Some(figure.noted(note(designs, system)))
 }
 
-fn view(face: &Face, of: Outcome, field: Field) -> Figure {
+fn view(face: &Face, of: Outcome, field: Field, system: System) -> Figure {
     let [wide, tall] = face.half;
     let (x, y) = (
         across(face).exactly(-wide, wide),
         above(face).exactly(-tall, tall),
     );
     let title = format!("{} over the face", capital(&field.quantity.label));
-    let mut figure =
-        Figure::new(format!("strikes-{}", of.name()), title, x, y).with(Layer::contours(field));
+    let mut figure = Figure::new(system, format!("strikes-{}", of.name()), title, x, y)
+        .with(Layer::contours(field));
     figure.aspect = tall / wide;
     figure.layers.push(outline(face));
     figure.layers.extend(marks(face, Hue::Ink));

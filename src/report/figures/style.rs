@@ -5,18 +5,11 @@ use crate::drive::Outcome;
 use crate::report::plot::{Field, Hue, Layer, NamedQuantity, Shape};
 use crate::study::{DriveRole, Plane};
 
-/// The first series of drives with names of their own; series 0 and 1 are the drive as set up and
-/// the optimum.
-const OTHERS: usize = 2;
-
-/// The colour of a drive, and true if its lines are dashed. `place` is the place of the drive among
-/// those of the plot. A drive with a name of its own has a later series than the drive as set up
-/// and the optimum.
-pub(super) fn style(role: &DriveRole, place: usize) -> (Hue, bool) {
+/// The colour of a drive, and true if its lines are dashed.
+pub(super) fn style(role: DriveRole) -> (Hue, bool) {
     match role {
         DriveRole::Alone | DriveRole::AsSetUp => (Hue::SET_UP, false),
         DriveRole::Optimum => (Hue::OPTIMUM, true),
-        DriveRole::Other(_) => (Hue::Series(OTHERS + place), place > 0),
     }
 }
 

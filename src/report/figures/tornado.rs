@@ -100,6 +100,7 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, system: System) -> Opti
         Layer::new(name, hue, Shape::Bars(bars.collect()))
     };
     let figure = Figure::new(
+        system,
         format!("tornado-{}{suffix}", effects.of.name()),
         format!("{title}, as set up"),
         x,

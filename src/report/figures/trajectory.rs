@@ -66,7 +66,7 @@ pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Re
         View::Side => y,
         View::Top => extent(y.into_iter().chain([-CORRIDOR, CORRIDOR])),
     };
-    let mut figure = without_layers(view, [x, seen_up]);
+    let mut figure = without_layers(view, [x, seen_up], system);
     let lines = lines(flown, &paths, &runs);
     let range = figure.x.range.unwrap_or(x);
     match view {
@@ -80,8 +80,8 @@ pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Re
     let below = if view == View::Side { 0.0 } else { 0.08 };
     let stretched = stretched(&figure, &lines, with_margin(seen_up, below, 0.08), view);
     figure.layers.extend(lines);
-    for (i, one) in flown.iter().enumerate() {
-        figure.layers.extend(marks(one, i, view, system));
+    for one in flown {
+        figure.layers.extend(marks(one, view, system));
     }
     figure.note = match view {
         View::Side => "True scale: heights are drawn as large as distances.".into(),
@@ -135,7 +135,7 @@ fn run(one: &NamedDrive, view: View) -> Vec<[f64; 2]> {
 }
 
 /// A figure at true scale without layers: its axes contain these ranges.
-fn without_layers(view: View, [x, y]: [[f64; 2]; 2]) -> Figure {
+fn without_layers(view: View, [x, y]: [[f64; 2]; 2], system: System) -> Figure {
     let length = |label: &str| NamedQuantity::new(label, Quantity::LENGTH, "yd");
     let downrange = Axis::linear(length("downrange"));
     let (title, up) = match view {
@@ -154,18 +154,18 @@ fn without_layers(view: View, [x, y]: [[f64; 2]; 2]) -> Figure {
         View::Side => (with_margin(y, 0.0, 0.3), Grows::Up),
         View::Top => (with_margin(y, 0.1, 0.1), Grows::Evenly),
     };
-    let figure = Figure::new(view.name(), title, downrange, up);
+    let figure = Figure::new(system, view.name(), title, downrange, up);
     to_scale(figure, [x, y], SHAPE, [Grows::Up, grows])
 }
 
 /// A line for the path of each drive, then a line for the roll-out of each drive that has one.
 fn lines(flown: &[NamedDrive], paths: &[Vec<[f64; 2]>], runs: &[Vec<[f64; 2]>]) -> Vec<Layer> {
     let line = |i: usize, points: &Vec<[f64; 2]>, is_run: bool| {
-        let role = &flown[i].role;
-        let (hue, is_dashed) = style(role, i);
+        let role = flown[i].role;
+        let (hue, is_dashed) = style(role);
         let points = points.clone();
         // a single drive has no name: its flight and its run are two entries of the legend
-        if *role == DriveRole::Alone {
+        if role == DriveRole::Alone {
             let (name, is_dashed) = match is_run {
                 false => ("flight", is_dashed),
                 true => ("run", true),
@@ -237,8 +237,8 @@ fn note_of_totals(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>], system: System) 
 }
 
 /// Marks of the apex and the landing, labelled with their values.
-fn marks(flown: &NamedDrive, i: usize, view: View, system: System) -> Vec<Layer> {
-    let (hue, _) = style(&flown.role, i);
+fn marks(flown: &NamedDrive, view: View, system: System) -> Vec<Layer> {
+    let (hue, _) = style(flown.role);
     let value = |of: Outcome| of.value(&flown.drive);
     let text = |of: Outcome, word: &str| {
         value(of).map(|found| format!("{word} {}", shown::outcome(of, found, system)))
@@ -299,6 +299,7 @@ fn stretched(figure: &Figure, lines: &[Layer], y: [f64; 2], view: View) -> Optio
         significant(times, 2)
     );
     let mut panel = Figure::new(
+        figure.system,
         format!("{}-stretched", figure.name),
         title,
         figure.x.clone(),

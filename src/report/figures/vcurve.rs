@@ -3,7 +3,7 @@ use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::DerivativeRow;
-use crate::units::counted;
+use crate::units::{System, counted};
 
 /// V-curves: the error of plain central differences against the step. The exact derivative is the
 /// reference. Truncation dominates on the right, rounding on the left.
@@ -15,10 +15,12 @@ use crate::units::counted;
 pub fn vcurve_figure<'a>(
     rows: impl IntoIterator<Item = &'a DerivativeRow>,
     loops: &[LoopRow],
+    system: System,
 ) -> Figure {
     let x = Axis::log(NamedQuantity::plain("step, relative"));
     let y = Axis::log(NamedQuantity::plain("error of the difference, relative"));
     let mut figure = Figure::new(
+        system,
         "vcurve",
         "Central differences against exact derivatives, as set up",
         x,

@@ -21,8 +21,8 @@ pub struct TextFile {
 const WIDTHS: [(&str, u32); 2] = [("narrow", 340), ("broad", 560)];
 
 /// The file name of a plot's picture.
-pub(in crate::report) fn svg_name(figure: &Figure, system: System) -> String {
-    format!("{}-{system}.svg", figure.name)
+pub(in crate::report) fn svg_name(figure: &Figure) -> String {
+    format!("{}-{}.svg", figure.name, figure.system)
 }
 
 /// The file name of a plot's data.
@@ -43,13 +43,9 @@ pub(in crate::report) fn picture_files<'a>(
     for plot in plots {
         for system in System::ALL {
             let figure = plot.get(system);
-            let look = Look {
-                system,
-                ..Look::default()
-            };
             files.push(TextFile {
-                name: svg_name(figure, system),
-                text: figure_svg(figure, &look)?,
+                name: svg_name(figure),
+                text: figure_svg(figure, &Look::default())?,
             });
             if system == data_of {
                 files.push(TextFile {
@@ -81,8 +77,8 @@ pub(in crate::report) fn pictures<'a>(
                         @for (class, svg) in &drawings { div class=(class) { (PreEscaped(svg)) } }
                         figcaption {
                             (chosen(&metric.note, &us.note)) " "
-                            a.us href=(svg_name(us, System::Us)) { "SVG" }
-                            a.metric href=(svg_name(metric, System::Metric)) { "SVG" }
+                            a.us href=(svg_name(us)) { "SVG" }
+                            a.metric href=(svg_name(metric)) { "SVG" }
                             " " a href=(csv_name(us)) { "data" }
                         }
                     }
@@ -97,17 +93,14 @@ pub(in crate::report) fn pictures<'a>(
 fn drawings(plot: &InBoth<Figure>) -> Result<Vec<(String, String)>> {
     let mut drawings = vec![];
     for (place, width) in WIDTHS {
-        let picture = |system: System| {
-            figure_svg(
-                plot.get(system),
-                &Look {
-                    system,
-                    is_dark: false,
-                    width,
-                },
-            )
+        let look = Look {
+            width,
+            ..Look::default()
         };
-        let (metric, us) = (picture(System::Metric)?, picture(System::Us)?);
+        let (metric, us) = (
+            figure_svg(&plot.metric, &look)?,
+            figure_svg(&plot.us, &look)?,
+        );
         if metric == us {
             drawings.push((place.into(), us));
         } else {

@@ -4,7 +4,7 @@ use crate::report::document::{Document, DocumentTable};
 use crate::report::plot::{Axis, Figure, Layer, NamedQuantity};
 use crate::report::published::{PaperUnits, angles};
 use crate::reproduce::{Landings, Noise, Slopes};
-use crate::units::{Quantity, significant};
+use crate::units::{Quantity, System, significant};
 
 pub(super) fn noise(document: &mut Document, noise: &Noise, units: PaperUnits) {
     document.heading("The noise of its flight loop");
@@ -23,14 +23,14 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, units: PaperUnits) {
         noise.wrong_signs,
         noise.slopes.len(),
     ));
-    document.figure(zoomed(&noise.zoom));
+    document.figure(zoomed(&noise.zoom, units.system));
     document.paragraph(format!(
         "Slopes of carry by loft at attack angle 0°. Those of the loop are finite differences \
          with an increment of {} rad, as in MATLAB's fmincon:",
         significant(noise.difference, 3)
     ));
     add_slopes(document, noise, units);
-    document.figure(slopes(&noise.slopes));
+    document.figure(slopes(&noise.slopes, units.system));
     document.paragraph(
         "A shorter time step does not help. The loop's finite differences at loft 10°, attack \
          angle 0° are:",
@@ -95,10 +95,11 @@ fn add_longer_differences(document: &mut Document, noise: &Noise, units: PaperUn
     document.add(table.right(0..4));
 }
 
-fn zoomed(zoom: &[Landings]) -> Figure {
+fn zoomed(zoom: &[Landings], system: System) -> Figure {
     let points = |carry: fn(&Landings) -> f64| zoom.iter().map(|at| [at.loft, carry(at)]).collect();
     let carry = Axis::linear(NamedQuantity::new("carry", Quantity::LENGTH, "m"));
     Figure::new(
+        system,
         "teeth",
         "Carry at high zoom, attack angle 0°",
         angles("loft"),
@@ -121,7 +122,7 @@ fn zoomed(zoom: &[Landings]) -> Figure {
     )
 }
 
-fn slopes(slopes: &[Slopes]) -> Figure {
+fn slopes(slopes: &[Slopes], system: System) -> Figure {
     let points = |slope: fn(&Slopes) -> f64| {
         slopes
             .iter()
@@ -134,6 +135,7 @@ fn slopes(slopes: &[Slopes]) -> Figure {
         "m",
     ));
     Figure::new(
+        system,
         "slopes",
         "d carry/d loft over the loft, attack angle 0°",
         angles("loft"),

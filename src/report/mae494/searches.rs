@@ -5,7 +5,7 @@ use crate::report::plot::{Figure, Hue, Layer, Shape};
 use crate::report::published::{PaperUnits, angles};
 use crate::reproduce::{DeliveryCarry, LandingDefinition, Mae494, SearchMethod, Searches};
 use crate::statistics::median;
-use crate::units::Quantity;
+use crate::units::{Quantity, System};
 
 /// A search counts as successful if its carry is at most this much below the best carry, m.
 const FOUND: f64 = 0.01;
@@ -62,7 +62,7 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, units: PaperUnit
         rows,
     );
     document.add(table.right(0..4));
-    document.figure(ends(&found.noise.searches, &best));
+    document.figure(ends(&found.noise.searches, &best, units.system));
 }
 
 fn landing(landing: LandingDefinition) -> &'static str {
@@ -82,8 +82,9 @@ fn method(method: SearchMethod) -> &'static str {
     }
 }
 
-fn ends(searches: &[Searches], best: &DeliveryCarry) -> Figure {
+fn ends(searches: &[Searches], best: &DeliveryCarry, system: System) -> Figure {
     let mut figure = Figure::new(
+        system,
         "ends",
         "Where searches from the same starts end",
         angles("loft"),

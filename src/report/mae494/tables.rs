@@ -5,6 +5,7 @@ use crate::report::plot::{Figure, Layer};
 use crate::report::published::{ANGLE, LENGTH, PaperUnits, angles};
 use crate::report::shown::ratio;
 use crate::reproduce::{Mae494, RecomputedOptimum};
+use crate::units::System;
 
 pub(super) fn optimum(document: &mut Document, found: &Mae494, units: PaperUnits) {
     let RecomputedOptimum { printed, best, .. } = &found.optimum;
@@ -77,7 +78,7 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, units: PaperUnits)
             .map(|r| row(r, r.printed.attack_angle, r.printed.loft, r.exact().loft)),
     );
     document.add(table.right(0..7));
-    document.figure(best_lofts(&found.table1));
+    document.figure(best_lofts(&found.table1, units.system));
     document.paragraph("Table 2: the best attack angle at each loft.");
     let table = DocumentTable::new(
         head("loft", "attack angle printed", "exact best attack angle"),
@@ -93,13 +94,14 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, units: PaperUnits)
     document.add(table.right(0..7));
 }
 
-fn best_lofts(rows: &[RecomputedOptimum]) -> Figure {
+fn best_lofts(rows: &[RecomputedOptimum], system: System) -> Figure {
     let points = |loft: fn(&RecomputedOptimum) -> f64| {
         rows.iter()
             .map(|row| [row.printed.attack_angle, loft(row)])
             .collect()
     };
     Figure::new(
+        system,
         "table-1",
         "The best loft at each attack angle",
         angles("attack angle"),

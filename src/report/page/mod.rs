@@ -107,12 +107,10 @@ fn plots(findings: &Findings) -> Plots {
             .collect(),
         // omit the plot if every error is 0 (as for a derivative of 0): a logarithmic axis cannot
         // show 0
-        curves: Some(vcurve_figure(&findings.rows, &findings.loops))
-            .filter(|figure| figure_svg(figure, &Look::default()).is_ok())
-            // the texts of these curves have no units, so both systems of units have the same plot
-            .map(|figure| InBoth::of(|_| figure.clone()))
-            .into_iter()
-            .collect(),
+        curves: pairs(|system| {
+            let figure = vcurve_figure(&findings.rows, &findings.loops, system);
+            Some(figure).filter(|figure| figure_svg(figure, &Look::default()).is_ok())
+        }),
     }
 }
 

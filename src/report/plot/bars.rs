@@ -8,7 +8,7 @@ use super::figure::{Figure, HorizontalBar, Shape};
 use super::layers::PlotArea;
 use super::palette::BAR_OPACITY;
 use super::text_width::{SMALL_TEXT, text_width, widest, wrapped};
-use crate::units::{DisplayUnit, System, is_zero, leading_number, signed, typeset};
+use crate::units::{DisplayUnit, is_zero, leading_number, signed, typeset};
 
 /// Text size of values, pixels.
 const VALUE: f64 = 12.0;
@@ -117,14 +117,7 @@ impl BarRows {
     }
 
     /// Draws the bars of a layer with their values.
-    pub fn bars(
-        &self,
-        canvas: &mut Canvas,
-        area: &PlotArea,
-        system: System,
-        figure: &Figure,
-        layer: usize,
-    ) {
+    pub fn bars(&self, canvas: &mut Canvas, area: &PlotArea, figure: &Figure, layer: usize) {
         let hue = figure.layers[layer].hue;
         let Shape::Bars(bars) = &figure.layers[layer].shape else {
             return;
@@ -151,7 +144,7 @@ impl BarRows {
             } else {
                 (to + VALUE_GAP, Anchor::Left)
             };
-            let value = value(figure, layer, bar, system);
+            let value = value(figure, layer, bar);
             canvas.text(&value, [x, middle], anchor, font);
         }
     }
@@ -224,9 +217,9 @@ fn is_left(figure: &Figure, layer: usize, bar: &HorizontalBar) -> bool {
 
 /// The value at the end of a bar, in the unit of the axis: "+3.9". The value has more digits if all
 /// values of the row would be displayed as 0.
-fn value(figure: &Figure, layer: usize, bar: &HorizontalBar, system: System) -> String {
+fn value(figure: &Figure, layer: usize, bar: &HorizontalBar) -> String {
     let DisplayUnit { quantity, unit } = figure.x.quantity.of;
-    let unit = system.unit(unit);
+    let unit = figure.system.unit(unit);
     let amount = bar.to;
     let text = quantity.read_off(amount, unit);
     let is_lost = |bar: &HorizontalBar| {
@@ -247,7 +240,7 @@ fn value(figure: &Figure, layer: usize, bar: &HorizontalBar, system: System) -> 
 
 /// The horizontal axis for a frame of this width, pixels. The range of the axis leaves space for
 /// the values at the bars. `None` if the frame is too narrow for the values.
-pub(super) fn with_room(figure: &Figure, system: System, width: f64) -> Option<Axis> {
+pub(super) fn with_room(figure: &Figure, width: f64) -> Option<Axis> {
     let (mut low, mut high) = (0.0_f64, 0.0_f64);
     let mut beside = [0.0_f64; 2];
     for (layer, bars) in figure.layers.iter().enumerate() {
@@ -259,8 +252,7 @@ pub(super) fn with_room(figure: &Figure, system: System, width: f64) -> Option<A
             high = high.max(bar.to);
             let side = usize::from(!is_left(figure, layer, bar));
             beside[side] = beside[side].max(
-                text_width(&typeset(&value(figure, layer, bar, system)), VALUE, false)
-                    + 2.0 * VALUE_GAP,
+                text_width(&typeset(&value(figure, layer, bar)), VALUE, false) + 2.0 * VALUE_GAP,
             );
         }
     }

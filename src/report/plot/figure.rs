@@ -1,8 +1,11 @@
 use super::axis::{Axis, NamedQuantity};
+use crate::units::System;
 
 /// A plot as data, in SI. Pictures and tables are made from it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
+    /// The units of the axes and of the texts.
+    pub system: System,
     /// The name in file names: "trajectory-side".
     pub name: String,
     /// The title: a few words.
@@ -31,11 +34,17 @@ pub struct Figure {
 
 impl Figure {
     /// An empty plot.
-    pub fn new(name: impl Into<String>, title: impl Into<String>, x: Axis, y: Axis) -> Self {
-        let (name, title) = (name.into(), title.into());
+    pub fn new(
+        system: System,
+        name: impl Into<String>,
+        title: impl Into<String>,
+        x: Axis,
+        y: Axis,
+    ) -> Self {
         Self {
-            name,
-            title,
+            system,
+            name: name.into(),
+            title: title.into(),
             subtitle: String::new(),
             note: String::new(),
             x,

@@ -17,21 +17,20 @@ const FEW: usize = 40;
 /// regions of each layer.
 pub(super) fn write_tooltips(
     canvas: &mut Canvas,
-    figure: &Figure,
     area: &PlotArea,
-    system: System,
+    figure: &Figure,
     regions: &[Vec<ContourRegion>],
 ) {
     for layer in &figure.layers {
         let name = layer.full_name();
         for place in points(layer) {
             if let Some(at) = area.pixel(place) {
-                canvas.point_tooltip(&title(figure, &name, place, system), at, 7.0);
+                canvas.point_tooltip(&title(figure, &name, place), at, 7.0);
             }
         }
     }
     let contours = figure.layers.iter().zip(regions);
-    let contours = contours.flat_map(|(layer, regions)| contours_of(layer, regions, system));
+    let contours = contours.flat_map(|(layer, regions)| contours_of(layer, regions, figure.system));
     for (title, points) in contours.chain(figure.layers.iter().flat_map(long_lines)) {
         let places = simplified(&area.all(points));
         if !title.is_empty() && places.len() > 1 {
@@ -41,9 +40,9 @@ pub(super) fn write_tooltips(
 }
 
 /// The title of a point: its name and its coordinates.
-fn title(figure: &Figure, name: &str, [x, y]: [f64; 2], system: System) -> String {
+fn title(figure: &Figure, name: &str, [x, y]: [f64; 2]) -> String {
     let values = [(&figure.x, x), (&figure.y, y)];
-    let values = values.map(|(axis, value)| on_axis(axis, value, system));
+    let values = values.map(|(axis, value)| on_axis(axis, value, figure.system));
     let parts = [name.to_owned()].into_iter().chain(values);
     parts
         .filter(|part| !part.is_empty())

@@ -7,7 +7,7 @@ use super::hatching::hatching;
 use super::palette::{BAND_OPACITY, Color};
 use super::simplify::simplified;
 use super::ticks::DrawnAxis;
-use crate::units::{System, significant, with_unit};
+use crate::units::{significant, with_unit};
 
 /// Distance between the start of a line and its first cross bar, pixels. In the legend, this bar is
 /// in the middle of the symbol.
@@ -142,7 +142,6 @@ fn pixels(area: &PlotArea, arrows: &[[[f64; 2]; 2]]) -> impl Iterator<Item = [[f
 pub(super) fn write_levels(
     canvas: &mut Canvas,
     area: &PlotArea,
-    system: System,
     figure: &Figure,
     regions: &[Vec<ContourRegion>],
 ) {
@@ -151,7 +150,7 @@ pub(super) fn write_levels(
         let Shape::Contours(field) = &layer.shape else {
             continue;
         };
-        let unit = system.unit(field.quantity.of.unit);
+        let unit = figure.system.unit(field.quantity.of.unit);
         for region in regions {
             let text = with_unit(&significant(region.level, 6), unit);
             let mut lines: Vec<_> = region.lines.iter().map(|line| area.all(line)).collect();

@@ -11,7 +11,7 @@ use super::legend::{LegendEntry, laid_out};
 use super::text_width::{SMALL_TEXT, TEXT, text_width, wrapped};
 use super::ticks::DrawnAxis;
 use crate::error::{Error, Result};
-use crate::units::{System, typeset};
+use crate::units::typeset;
 
 /// Margin of a picture, pixels.
 pub(super) const MARGIN: f64 = 6.0;
@@ -47,7 +47,7 @@ impl<'a> Layout<'a> {
     /// # Errors
     /// [`Error::Plot`] if no part of the figure can be shown on its axes, or if the width is too
     /// small for them.
-    pub fn new(figure: &'a Figure, system: System, width: u32) -> Result<Self> {
+    pub fn new(figure: &'a Figure, width: u32) -> Result<Self> {
         let failed = |reason: String| Error::Plot {
             name: figure.name.clone(),
             reason,
@@ -60,7 +60,7 @@ impl<'a> Layout<'a> {
         let titled = |drawn: &DrawnAxis| wrapped(&typeset(&drawn.title()), room, TEXT, false);
         let rows = BarRows::of(figure, width);
         let end_names = EndNames::of(figure, width);
-        let mut area = axes(figure, system, width, rows.as_ref(), end_names.as_ref())
+        let mut area = axes(figure, width, rows.as_ref(), end_names.as_ref())
             .map_err(|axis| failed(format!("it has no number that its {axis} axis can show")))?;
         let [left, _, right, tall] = area.frame;
         if right - left < LEAST_WIDTH {
@@ -92,7 +92,6 @@ impl<'a> Layout<'a> {
 /// overlapping texts. The error is the name of an axis that can show none of the values.
 fn axes(
     figure: &Figure,
-    system: System,
     width: f64,
     rows: Option<&BarRows>,
     end_names: Option<&EndNames<'_>>,
@@ -101,9 +100,9 @@ fn axes(
     let beside = end_names.map_or(0.0, |names| names.room);
     let mut found = Err("vertical");
     for count in (1..=MOST_TICKS).rev() {
-        let y = DrawnAxis::new(&figure.y, ys(), system, count).ok_or("vertical")?;
+        let y = DrawnAxis::new(&figure.y, ys(), figure.system, count).ok_or("vertical")?;
         let left = rows.map_or(15.0 + y.widest(), |rows| rows.left);
-        let (x, left, right) = across(figure, system, left, width, beside).ok_or("horizontal")?;
+        let (x, left, right) = across(figure, left, width, beside).ok_or("horizontal")?;
         let tall = match (rows, end_names) {
             (Some(rows), _) => rows.heights(),
             (None, names) => {
@@ -126,13 +125,7 @@ fn axes(
 
 /// The horizontal axis and the left and right end of the frame. The axis has as many ticks as
 /// possible without overlapping texts. The frame leaves the width `beside` free on its right.
-fn across(
-    figure: &Figure,
-    system: System,
-    left: f64,
-    width: f64,
-    beside: f64,
-) -> Option<(DrawnAxis, f64, f64)> {
+fn across(figure: &Figure, left: f64, width: f64, beside: f64) -> Option<(DrawnAxis, f64, f64)> {
     let xs = || figure.layers.iter().flat_map(Layer::points).map(|at| at[0]);
     let has_bars = figure
         .layers
@@ -141,17 +134,17 @@ fn across(
     let mut last = None;
     let most = ((width - left - beside) / TICK_SPACING).max(4.0) as usize;
     for count in (1..=most).rev() {
-        let x = DrawnAxis::new(&figure.x, xs(), system, count)?;
+        let x = DrawnAxis::new(&figure.x, xs(), figure.system, count)?;
         // half of the text at the first and at the last tick lies beyond the end of the axis
         let half = 0.5 * x.widest() + 4.0;
         let (left, right) = (left.max(half), width - half.max(16.0).max(beside));
         let widened: Option<Axis> = if has_bars {
-            with_room(figure, system, right - left)
+            with_room(figure, right - left)
         } else {
             None
         };
         let x = match widened {
-            Some(axis) => DrawnAxis::new(&axis, xs(), system, count)?,
+            Some(axis) => DrawnAxis::new(&axis, xs(), figure.system, count)?,
             None => x,
         };
         let is_readable = x.is_readable(right - left, |a, b| {

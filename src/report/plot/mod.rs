@@ -3,11 +3,12 @@
 //!
 //! ```
 //! use longdrive::report::plot::{Axis, Figure, Layer, Look, NamedQuantity, figure_csv, figure_svg};
-//! use longdrive::units::{Quantity, TableUnits};
+//! use longdrive::units::{Quantity, System, TableUnits};
 //!
 //! let distance = NamedQuantity::new("downrange", Quantity::LENGTH, "yd");
 //! let height = NamedQuantity::new("height", Quantity::LENGTH, "yd");
-//! let figure = Figure::new("stone", "A thrown stone", Axis::linear(distance), Axis::linear(height))
+//! let [x, y] = [distance, height].map(Axis::linear);
+//! let figure = Figure::new(System::Us, "stone", "A thrown stone", x, y)
 //!     .with(Layer::line("path", 0, vec![[0.0, 0.0], [10.0, 5.0], [20.0, 0.0]]));
 //! let svg = figure_svg(&figure, &Look::default()).unwrap();
 //! assert!(svg.starts_with("<svg") && svg.contains("downrange [yd]"));

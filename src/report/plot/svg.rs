@@ -11,7 +11,7 @@ use super::palette::{DARK, LIGHT};
 use super::text_width::{SMALL_TEXT, TEXT};
 use super::ticks::DrawnAxis;
 use crate::error::Result;
-use crate::units::{System, typeset};
+use crate::units::typeset;
 use maud::{PreEscaped, html};
 use std::fmt::Write;
 
@@ -24,8 +24,6 @@ const LEAST_BESIDE: u32 = 280;
 /// The appearance of a plot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Look {
-    /// The units of the axes.
-    pub system: System,
     /// True for the colours of a dark page; false for those of a bright page and of print.
     pub is_dark: bool,
     /// The width, pixels. The text size does not depend on it.
@@ -33,10 +31,9 @@ pub struct Look {
 }
 
 impl Default for Look {
-    /// US units, light, 480 pixels: readable on a phone and in a printed column.
+    /// Light, 480 pixels: readable on a phone and in a printed column.
     fn default() -> Self {
         Self {
-            system: System::Us,
             is_dark: false,
             width: 480,
         }
@@ -96,7 +93,7 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
 /// [`Error::Plot`](crate::Error::Plot) if no part of the figure can be shown on its axes, or if the
 /// width is too small for them.
 fn panel(figure: &Figure, look: &Look) -> Result<Canvas> {
-    let layout = Layout::new(figure, look.system, look.width)?;
+    let layout = Layout::new(figure, look.width)?;
     let mut canvas = Canvas {
         palette: if look.is_dark { &DARK } else { &LIGHT },
         height: layout.height,
@@ -106,17 +103,17 @@ fn panel(figure: &Figure, look: &Look) -> Result<Canvas> {
     let size = [f64::from(look.width), layout.height];
     canvas.rectangle([0.0, 0.0], size, canvas.palette.background, 1.0);
     write_texts_around(&mut canvas, &layout);
-    draw_inside(&mut canvas, figure, look.system, &layout);
+    draw_inside(&mut canvas, figure, &layout);
     Ok(canvas)
 }
 
 /// Draws the axes, the layers and their labels.
-fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &Layout<'_>) {
+fn draw_inside(canvas: &mut Canvas, figure: &Figure, layout: &Layout<'_>) {
     let area = &layout.area;
     draw_axes(canvas, area, figure);
     // the contours are computed once for drawing, labels and tooltips
     let contours = |layer: &Layer| match &layer.shape {
-        Shape::Contours(field) => contour_regions(field, system),
+        Shape::Contours(field) => contour_regions(field, figure.system),
         _ => vec![],
     };
     let regions: Vec<_> = figure.layers.iter().map(contours).collect();
@@ -140,7 +137,7 @@ fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &La
     if let Some(rows) = &layout.rows {
         rows.draw(canvas, area);
         for layer in 0..figure.layers.len() {
-            rows.bars(canvas, area, system, figure, layer);
+            rows.bars(canvas, area, figure, layer);
         }
     }
     write_marks(canvas, area, figure);
@@ -149,9 +146,9 @@ fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &La
     if let Some(names) = &layout.end_names {
         names.draw(canvas, area, figure);
     }
-    write_levels(canvas, area, system, figure, &regions);
+    write_levels(canvas, area, figure, &regions);
     field_arrows(canvas, area, figure);
-    write_tooltips(canvas, figure, area, system, &regions);
+    write_tooltips(canvas, area, figure, &regions);
 }
 
 /// Writes the title, the line below it, the legend and the titles of the axes.

@@ -6,7 +6,7 @@ use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::shots::instrument_deviation;
 use crate::statistics::extent;
 use crate::study::validation::{Case, Compared, LawScores, SetScores};
-use crate::units::Quantity;
+use crate::units::{Quantity, System};
 
 /// An independent law. The report compares the default law with it.
 pub(super) const ALTERNATIVE: &str = "ferguson";
@@ -26,7 +26,7 @@ const OPTIMUM: &str =
 
 /// The figures: the predicted against the measured carry, and the residuals of carry, apex, descent
 /// and spin.
-pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
+pub(super) fn figures(found: &[SetScores], system: System) -> Vec<Figure> {
     let measured: Vec<&SetScores> = found.iter().filter(|set| set.set.is_measured).collect();
     let optima: Vec<&SetScores> = found.iter().filter(|set| set.set.name == OPTIMA).collect();
     let mut laws = vec![Law::default().name(), ALTERNATIVE];
@@ -34,17 +34,17 @@ pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
         let best = best(set).map(|(_, law)| law);
         laws.extend(best.filter(|law| !laws.contains(law)));
     }
-    let mut figures = vec![carry(&measured)];
+    let mut figures = vec![carry(&measured, system)];
     for of in [Compared::Carry, Compared::Apex, Compared::Descent] {
-        figures.push(residuals(&measured, &laws, of));
+        figures.push(residuals(&measured, &laws, of, system));
     }
-    figures.push(residuals(&optima, &laws, Compared::Spin));
+    figures.push(residuals(&optima, &laws, Compared::Spin, system));
     figures
 }
 
 /// Figure of the predicted against the measured carry. Each set is a series, computed with the
 /// default law.
-fn carry(sets: &[&SetScores]) -> Figure {
+fn carry(sets: &[&SetScores], system: System) -> Figure {
     let default = Law::default().name();
     let carry = |words: &str| NamedQuantity::new(format!("{words} carry"), Quantity::LENGTH, "yd");
     let points = |set: &&SetScores| -> Vec<[f64; 2]> {
@@ -58,6 +58,7 @@ fn carry(sets: &[&SetScores]) -> Figure {
         sets.iter().map(|set| (set.set.name, points(set))).collect();
     let ends = ends(all.iter().flat_map(|(_, points)| points).map(|at| at[0]));
     let mut figure = Figure::new(
+        system,
         "validation-carry",
         format!("Carry as {default} predicts it"),
         Axis::linear(carry("measured")),
@@ -75,7 +76,7 @@ fn carry(sets: &[&SetScores]) -> Figure {
 
 /// Figure of the residuals of a quantity. Each law is a series. The horizontal axis is the club
 /// speed if the quantity is the spin, otherwise the ball speed.
-fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure {
+fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared, system: System) -> Figure {
     let is_spin = of == Compared::Spin;
     let (speed, drives) = match is_spin {
         true => ("club speed", "best loft"),
@@ -106,7 +107,7 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure
         of => format!("validation-{}", of.name()),
     };
     let title = format!("Error of {words} by {speed}, {drives}");
-    let mut figure = Figure::new(name, title, Axis::linear(x), Axis::linear(y));
+    let mut figure = Figure::new(system, name, title, Axis::linear(x), Axis::linear(y));
     let exact = ends.map(|at| [at, 0.0]);
     figure.layers.extend(without_error(of, "", exact));
     for (i, (law, points)) in laws.iter().zip(all).enumerate() {

@@ -92,7 +92,7 @@ impl Report for ValidationReport<'_> {
         text::summary(&mut document, self.sets, system);
         let mut sets = Document::default();
         sets.heading("In pictures");
-        for figure in figures::figures(self.sets) {
+        for figure in figures::figures(self.sets, system) {
             sets.figure(figure);
         }
         for set in self.sets {

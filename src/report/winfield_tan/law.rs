@@ -45,6 +45,7 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan, units: PaperUnit
         ("lift", "Lift coefficient", false),
     ] {
         let mut figure = Figure::new(
+            units.system,
             format!("law-{name}"),
             format!("{title} of the recovered law"),
             Axis::linear(NamedQuantity::plain("spin ratio")),
@@ -170,7 +171,7 @@ fn coefficients(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> Coefficient
     ))
 }
 
-pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
+pub(super) fn decay(document: &mut Document, found: &WinfieldTan, system: System) {
     let FittedNumber {
         value: rate,
         standard_uncertainty: error,
@@ -214,6 +215,7 @@ pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
         .collect();
     document.figure(
         Figure::new(
+            system,
             "spin-decay",
             "Residuals of the tables at given rates of spin decay",
             axes.0,

@@ -116,7 +116,7 @@ impl Report for WinfieldTanReport<'_> {
         tables::tables(&mut document, found, units);
         tables::average(&mut document, found, units);
         law::law(&mut document, found, units);
-        law::decay(&mut document, found);
+        law::decay(&mut document, found, system);
         document
     }
 }

@@ -5,7 +5,7 @@ use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::report::published::{ANGLE, LENGTH, PaperUnits, SPEED, angles};
 use crate::reproduce::{LoftCarry, MISPRINTS, RecomputedOptimum, WinfieldTan};
 use crate::statistics::largest_magnitude;
-use crate::units::{DisplayUnit, Quantity, fixed};
+use crate::units::{DisplayUnit, Quantity, System, fixed};
 
 pub(super) fn shot(document: &mut Document, found: &WinfieldTan, units: PaperUnits) {
     let (ours, theirs) = (&found.shot.computed, &found.shot.printed);
@@ -181,8 +181,8 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, units: PaperU
         "Three numbers of the scanned paper do not fit their otherwise smooth columns: {}.",
         slips.join("; ")
     ));
-    document.figure(ridges(found));
-    document.figure(left_over(found));
+    document.figure(ridges(found, units.system));
+    document.figure(left_over(found, units.system));
 }
 
 fn line(row: &RecomputedOptimum, is_by_loft: bool, units: PaperUnits) -> Vec<String> {
@@ -201,7 +201,7 @@ fn line(row: &RecomputedOptimum, is_by_loft: bool, units: PaperUnits) -> Vec<Str
     ]
 }
 
-fn ridges(found: &WinfieldTan) -> Figure {
+fn ridges(found: &WinfieldTan, system: System) -> Figure {
     let points = |rows: &[RecomputedOptimum], is_printed: bool| {
         let of = |row: &RecomputedOptimum| {
             if is_printed { row.printed } else { row.exact() }
@@ -211,6 +211,7 @@ fn ridges(found: &WinfieldTan) -> Figure {
             .collect::<Vec<_>>()
     };
     Figure::new(
+        system,
         "optima",
         "The best attack angle at each loft, and the best loft at each attack angle",
         angles("attack angle"),
@@ -234,7 +235,7 @@ fn ridges(found: &WinfieldTan) -> Figure {
     ))
 }
 
-fn left_over(found: &WinfieldTan) -> Figure {
+fn left_over(found: &WinfieldTan, system: System) -> Figure {
     let points = |rows: &[RecomputedOptimum]| {
         rows.iter()
             .map(|row| [row.printed.carry, row.exact().carry - row.printed.carry])
@@ -242,6 +243,7 @@ fn left_over(found: &WinfieldTan) -> Figure {
     };
     let carry = |label: &str| Axis::linear(NamedQuantity::new(label, Quantity::LENGTH, "yd"));
     Figure::new(
+        system,
         "tables-left-over",
         "Residuals of the tables",
         carry("carry printed"),
@@ -294,6 +296,7 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, units: Paper
     );
     document.figure(
         Figure::new(
+            units.system,
             "average",
             "Average carry over attack angles of 0–10°",
             angles("loft"),
