@@ -70,12 +70,7 @@ struct Missing {
 pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
     let checked = request.setup.read(request.units)?;
     let of = checked.outcomes(&request.of)?;
-    let derivatives = Derivatives {
-        checked: &checked,
-        order: order(request)?,
-        is_diagonal: request.diagonal,
-        columns: Columns::read(&checked, &request.wrt)?,
-    };
+    let derivatives = Derivatives::new(&checked, request)?;
     if request.path && !request.outcomes {
         return Err(Refusal::of_request("a path needs outcomes"));
     }
@@ -154,84 +149,80 @@ fn order(request: &Request) -> Result<Order, Refusal> {
     }
 }
 
-/// The columns of the derivatives, a column for each requested parameter.
-struct Columns {
-    /// Number of requested parameters.
-    count: usize,
-    /// The parameters that have derivatives in this setup.
-    known: Vec<Column>,
-    missing: Vec<Missing>,
-}
-
-struct Column {
-    at: usize,
-    parameter: &'static Parameter,
-}
-
-impl Columns {
-    /// Finds the requested parameters in the setup.
-    ///
-    /// # Errors
-    /// For an unknown name.
-    fn read(checked: &CheckedSetup<'_>, names: &[String]) -> Result<Self, Refusal> {
-        let mut columns = Self {
-            count: names.len(),
-            known: vec![],
-            missing: vec![],
-        };
-        for (at, name) in names.iter().enumerate() {
-            match checked.setup.variable(name) {
-                Ok(parameter) => columns.known.push(Column { at, parameter }),
-                Err(error @ Error::NotVariable { .. }) => columns.missing.push(Missing {
-                    of: None,
-                    wrt: Some(name.clone()),
-                    message: checked.refused(&error).message,
-                }),
-                Err(error) => return Err(checked.refused(&error)),
-            }
-        }
-        Ok(columns)
-    }
-
-    /// Expands derivatives by the known parameters to the columns of all requested parameters; the
-    /// other columns are NaN.
-    fn widened(&self, taylor: &Taylor) -> Taylor {
-        let known = &self.known;
-        let mut wide = undefined(self.count);
-        for (i, row) in known.iter().enumerate() {
-            wide.gradient[row.at] = taylor.gradient[i];
-            for (k, column) in known.iter().enumerate().take(taylor.hessian.len()) {
-                wide.hessian[row.at][column.at] = taylor.hessian[i][k];
-            }
-        }
-        wide
-    }
-}
-
 /// The derivatives of one drive.
 struct Derivatives<'a> {
     checked: &'a CheckedSetup<'a>,
     order: Order,
     /// True if only the diagonals of the Hessians are computed.
     is_diagonal: bool,
-    columns: Columns,
+    /// The requested parameters; `None` for one without derivatives in this setup.
+    parameters: Vec<Option<&'static Parameter>>,
+    missing: Vec<Missing>,
 }
 
-impl Derivatives<'_> {
+impl<'a> Derivatives<'a> {
+    /// Finds the requested parameters in the setup.
+    ///
+    /// # Errors
+    /// For an unknown name, and for an order other than 0, 1 and 2.
+    fn new(checked: &'a CheckedSetup<'a>, request: &Request) -> Result<Self, Refusal> {
+        let mut derivatives = Self {
+            checked,
+            order: order(request)?,
+            is_diagonal: request.diagonal,
+            parameters: vec![],
+            missing: vec![],
+        };
+        for name in &request.wrt {
+            let parameter = match checked.setup.variable(name) {
+                Ok(parameter) => Some(parameter),
+                Err(error @ Error::NotVariable { .. }) => {
+                    derivatives.missing.push(Missing {
+                        of: None,
+                        wrt: Some(name.clone()),
+                        message: checked.refused(&error).message,
+                    });
+                    None
+                }
+                Err(error) => return Err(checked.refused(&error)),
+            };
+            derivatives.parameters.push(parameter);
+        }
+        Ok(derivatives)
+    }
+
+    /// Expands derivatives by the known parameters to the columns of all requested parameters; the
+    /// other columns are NaN.
+    fn widened(&self, taylor: &Taylor) -> Taylor {
+        let columns = self.parameters.iter().enumerate();
+        let known: Vec<usize> = columns
+            .filter(|(_, parameter)| parameter.is_some())
+            .map(|(column, _)| column)
+            .collect();
+        let mut wide = undefined(self.parameters.len());
+        for (i, row) in known.iter().enumerate() {
+            wide.gradient[*row] = taylor.gradient[i];
+            for (k, column) in known.iter().enumerate().take(taylor.hessian.len()) {
+                wide.hessian[*row][*column] = taylor.hessian[i][k];
+            }
+        }
+        wide
+    }
+
     /// Appends gradients and Hessians, with NaN for derivatives that do not exist. Returns the
     /// reasons for the missing ones.
     fn append(mut self, of: &[Outcome], numbers: &mut Vec<f64>) -> Result<Vec<Missing>, Refusal> {
-        if of.is_empty() || self.columns.count == 0 || self.order == Order::Value {
+        if of.is_empty() || self.parameters.is_empty() || self.order == Order::Value {
             return Ok(vec![]);
         }
-        let mut missing = std::mem::take(&mut self.columns.missing);
+        let mut missing = std::mem::take(&mut self.missing);
         for taylor in self.each(of, &mut missing)? {
             numbers.extend(taylor.gradient);
             if self.order < Order::Second {
                 continue;
             }
             if self.is_diagonal {
-                numbers.extend((0..self.columns.count).map(|k| taylor.hessian[k][k]));
+                numbers.extend((0..self.parameters.len()).map(|k| taylor.hessian[k][k]));
             } else {
                 numbers.extend(taylor.hessian.into_iter().flatten());
             }
@@ -242,8 +233,8 @@ impl Derivatives<'_> {
     /// The derivatives of each outcome. If one outcome has no value, the other outcomes still have
     /// derivatives.
     fn each(&self, of: &[Outcome], missing: &mut Vec<Missing>) -> Result<Vec<Taylor>, Refusal> {
-        if self.columns.known.is_empty() {
-            return Ok(vec![undefined(self.columns.count); of.len()]);
+        if self.parameters.iter().all(Option::is_none) {
+            return Ok(vec![undefined(self.parameters.len()); of.len()]);
         }
         match self.evaluated(of) {
             Ok(taylors) => Ok(taylors),
@@ -263,21 +254,20 @@ impl Derivatives<'_> {
                     wrt: None,
                     message: self.checked.refused(&error).message,
                 });
-                undefined(self.columns.count)
+                undefined(self.parameters.len())
             }
         }
     }
 
     fn evaluated(&self, of: &[Outcome]) -> Result<Vec<Taylor>, Error> {
-        let known = self.columns.known.iter();
-        let wrt: Vec<_> = known.map(|column| column.parameter).collect();
+        let wrt: Vec<_> = self.parameters.iter().flatten().copied().collect();
         let setup = &self.checked.setup;
         let taylors = if self.is_diagonal && self.order == Order::Second {
             diagonal(setup, of, &wrt)?
         } else {
             evaluate(setup, of, &wrt, self.order)?
         };
-        let wide = taylors.iter().map(|taylor| self.columns.widened(taylor));
+        let wide = taylors.iter().map(|taylor| self.widened(taylor));
         Ok(wide.collect())
     }
 }
@@ -292,11 +282,12 @@ fn undefined(parameters: usize) -> Taylor {
     }
 }
 
-/// Appends the points of the flight, each with its time, and those of the run.
+/// Appends the points of the flight, each with its time, and those of the run. The components of a
+/// position are up, right of the target line, downrange, m.
 fn append(path: &Trajectory, numbers: &mut Vec<f64>) {
     for point in &path.points {
         numbers.push(point.time);
-        numbers.extend(coordinates(&point.position));
+        numbers.extend(point.position.to_array());
     }
     // the run begins at the landing, the last point of the flight
     if let Some(landing) = path.points.last() {
@@ -304,11 +295,6 @@ fn append(path: &Trajectory, numbers: &mut Vec<f64>) {
             .run
             .iter()
             .map(|from_landing| landing.position + *from_landing);
-        numbers.extend(run.flat_map(|position| coordinates(&position)));
+        numbers.extend(run.flat_map(Vector::to_array));
     }
-}
-
-/// The components of a position, m: up, right of the target line, downrange.
-fn coordinates(position: &Vector<f64>) -> [f64; 3] {
-    [position.x, position.y, position.z]
 }

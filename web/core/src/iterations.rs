@@ -49,18 +49,11 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         ..Search::largest(of.first().copied().unwrap_or(Outcome::Carry))
     };
     let found = searches(&checked.setup, &search).map_err(|error| checked.refused(&error))?;
-    let sign = search.sense.sign();
     let mut numbers = vec![];
     for (number, iterations) in found.iterations.iter().enumerate() {
         for (at, iteration) in iterations.iter().enumerate() {
-            let iterate = Iterate {
-                search: number,
-                iteration,
-                next: iterations.get(at + 1),
-                vary: &search.vary,
-                sign,
-            };
-            iterate.append(&mut numbers);
+            numbers.push(number as f64);
+            append(&search, iteration, iterations.get(at + 1), &mut numbers);
         }
     }
     let head = Head {
@@ -109,51 +102,37 @@ fn observed(setup: &Setup<f64>, search: &Search) -> Result<(Optimum, Iterations)
     Ok((optimum, kept.take()))
 }
 
-/// An iteration: its point, the model there, and the step to the next point.
-struct Iterate<'a> {
-    /// Number of the search to which the iteration belongs.
-    search: usize,
-    iteration: &'a Iteration,
-    /// The next iteration. It states whether the step was accepted, and its predicted and actual
-    /// reductions. `None` for the last iteration of a search.
-    next: Option<&'a Iteration>,
-    vary: &'a [Vary],
-    sign: f64,
-}
-
-impl Iterate<'_> {
-    /// Appends the numbers of this iteration, in the order of the README.
-    fn append(&self, numbers: &mut Vec<f64>) {
-        let Iteration {
-            number,
-            value,
-            x,
-            kkt_residual,
-            model,
-            ..
-        } = self.iteration;
-        let of_step = |of: fn(&Iteration) -> f64| self.next.map_or(f64::NAN, of);
-        let none = QuadraticModel::default();
-        let model = model.as_ref().unwrap_or(&none);
-        numbers.extend([
-            self.search as f64,
-            *number as f64,
-            self.sign * value,
-            *kkt_residual,
-            of_step(|next| f64::from(u8::from(next.accepted))),
-            of_step(|next| next.predicted_reduction),
-            of_step(|next| next.actual_reduction),
-            f64::from(u8::from(model.is_reflected)),
-        ]);
-        numbers.extend(x);
-        numbers.extend(self.vary.iter().zip(x).map(|(vary, x)| side(vary, *x)));
-        numbers.extend(model.gradient.iter().map(|slope| self.sign * slope));
-        let second = model.hessian.iter().flatten();
-        numbers.extend(second.map(|second| self.sign * second));
-        numbers.extend(&model.low);
-        numbers.extend(&model.high);
-        numbers.extend(&model.trial);
-    }
+/// Appends the numbers of an iteration after the number of its search, in the order of the README.
+/// `next` states whether the step was accepted, and its predicted and actual reductions; it is
+/// `None` for the last iteration of a search.
+fn append(
+    search: &Search,
+    iteration: &Iteration,
+    next: Option<&Iteration>,
+    numbers: &mut Vec<f64>,
+) {
+    let sign = search.sense.sign();
+    let of_step = |of: fn(&Iteration) -> f64| next.map_or(f64::NAN, of);
+    let none = QuadraticModel::default();
+    let model = iteration.model.as_ref().unwrap_or(&none);
+    numbers.extend([
+        iteration.number as f64,
+        sign * iteration.value,
+        iteration.kkt_residual,
+        of_step(|next| f64::from(u8::from(next.accepted))),
+        of_step(|next| next.predicted_reduction),
+        of_step(|next| next.actual_reduction),
+        f64::from(u8::from(model.is_reflected)),
+    ]);
+    let x = &iteration.x;
+    numbers.extend(x);
+    numbers.extend(search.vary.iter().zip(x).map(|(vary, x)| side(vary, *x)));
+    numbers.extend(model.gradient.iter().map(|slope| sign * slope));
+    let second = model.hessian.iter().flatten();
+    numbers.extend(second.map(|second| sign * second));
+    numbers.extend(&model.low);
+    numbers.extend(&model.high);
+    numbers.extend(&model.trial);
 }
 
 /// −1 if a value is at the lower end of its range, 1 at the upper end, else 0.

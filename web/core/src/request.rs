@@ -62,7 +62,9 @@ impl SetupRequest {
             // a refusal has the values of this law's coefficients; `set_each` refuses a wrong law
             checked.setup.set_law(law).ok();
         }
-        let settings = self.settings()?;
+        let settings = self.set.iter();
+        let settings = settings.map(|(name, value)| setting_of(name, value));
+        let settings: Vec<_> = settings.collect::<Result<_, _>>()?;
         let mut setup = checked.setup;
         let applied = setup.set_each(&settings).and_then(|()| setup.validate());
         applied.map_err(|error| checked.refused(&error))?;
@@ -78,13 +80,6 @@ impl SetupRequest {
             (None, Some(preset)) => Setup::preset(preset),
             (None, None) => Setup::preset(DEFAULT_PRESET),
         }
-    }
-
-    fn settings(&self) -> Result<Vec<SettingText<'_>>, Refusal> {
-        self.set
-            .iter()
-            .map(|(name, value)| setting_of(name, value))
-            .collect()
     }
 }
 

@@ -39,7 +39,7 @@ struct Head {
 pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
     let checked = request.setup.read(request.units)?;
     let of = match request.of.as_slice() {
-        [] => of_the_flight(),
+        [] => Outcome::in_group(OutcomeGroup::Flight).collect(),
         names => checked.outcomes(names)?,
     };
     let ranges = request.ranges.iter().map(|range| checked.range(range));
@@ -53,10 +53,4 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         error: found.error,
     };
     Ok(message::written(&head, &[]))
-}
-
-fn of_the_flight() -> Vec<Outcome> {
-    let all = Outcome::ALL.iter().copied();
-    all.filter(|of| of.group() == OutcomeGroup::Flight)
-        .collect()
 }
