@@ -5,7 +5,7 @@ use crate::command::output::Answer;
 use crate::command::ranges::SearchRanges;
 use crate::command::request::Request;
 use crate::command::swings::{SwingsRequest, optimize_and_write, search_over_swings};
-use crate::report::Designed;
+use crate::report::DesignReport;
 use crate::study::design::{Design, GOLFER, golfer, improvements, usual_vary};
 use crate::study::{Goal, Search};
 use crate::{Error, Result};
@@ -94,7 +94,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         .origin_of_search(&design.search.vary)
         .with_held(&held, &found.setup)
         .with_stated(&swings_args.end_of_title());
-    let designed = Designed::new(found.report(), &design, &found.setup, improvements, notes);
+    let designed = DesignReport::new(found.report(), &design, &found.setup, improvements, notes);
     let answer = Answer::report(&designed, &origin);
     Ok(answer.found(found.optima.is_found()))
 }

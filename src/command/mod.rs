@@ -189,12 +189,12 @@ commands! {
     ///
     /// How the optimum depends on every other parameter, and the price of its bounds and
     /// constraints.
-    OptimumSensitivity(optimum_sensitivity): SensitivityReport<'_>;
+    OptimumSensitivity(optimum_sensitivity): OptimumSensitivityReport<'_>;
     /// Design head and face under the Rules of Golf.
     ///
     /// For swings that vary: the best bulge, roll, loft, inertia or movable weights, with the price
     /// of each rule.
-    Design(design): Designed<'_>;
+    Design(design): DesignReport<'_>;
     /// Fit parameters to measured shots.
     ///
     /// Also finds their uncertainties, and the combinations of parameters that the data do not
@@ -252,7 +252,7 @@ commands! {
     /// Effect of each parameter on the outcomes.
     ///
     /// Slopes, elasticities, and the effect of the uncertainty of each parameter.
-    Sensitivity(sensitivity): EffectsReport<'_>;
+    Sensitivity(sensitivity): SensitivityReport<'_>;
     /// Spread of the outcomes from uncertain parameters.
     ///
     /// By exact derivatives, and by a sample of drives.

@@ -3,7 +3,7 @@ use crate::command::names::variables;
 use crate::command::output::{Answer, note, note_error, spinner, warn, with_bar};
 use crate::command::search::{DriveSearch, allowed_loss, write};
 use crate::parameters::{Parameter, Vary};
-use crate::report::{OptimizeReport, SensitivityReport};
+use crate::report::{OptimizeReport, OptimumSensitivityReport};
 use crate::study::{
     Change, Optimum, OptimumAnalysis, change, flatness, refuse_varied, sensitivities, short_drive,
     usual_loss,
@@ -74,7 +74,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let analysis = analysis.as_ref();
     let windows = analysis.map(OptimumAnalysis::windows);
     let search = OptimizeReport::new(&optima, None, windows, written);
-    let report = SensitivityReport::new(search, analysis, reason.as_ref());
+    let report = OptimumSensitivityReport::new(search, analysis, reason.as_ref());
     let answer = Answer::report(&report, &drive_search.origin(&request));
     Ok(answer.found(analysis.is_some_and(OptimumAnalysis::is_answered)))
 }

@@ -4,7 +4,7 @@ use crate::command::output::{Answer, note, system, warn, with_bar};
 use crate::command::request::Request;
 use crate::derivative::all_variables;
 use crate::parameters::Parameter;
-use crate::report::{EffectsReport, SetupOrigin, by_reason};
+use crate::report::{SensitivityReport, SetupOrigin, by_reason};
 use crate::study::{
     Effects, Optimum, Sensitivity, SigmaEffect, effects, flown_off, sensitivities, with_defaults,
 };
@@ -89,7 +89,7 @@ fn answer(
     let slopes = best.map(total_slopes).transpose()?;
     warn(slopes.iter().flat_map(|slopes| missing_slopes(slopes)));
     let totals = slopes.as_deref().unwrap_or_default();
-    let report = EffectsReport::new(&found, best, totals);
+    let report = SensitivityReport::new(&found, best, totals);
     Ok(Answer::report(&report, origin))
 }
 

@@ -2,7 +2,7 @@ use super::document::{Detail, Document, DocumentTable, Line};
 use super::json::JsonNumber;
 use super::limits::{change_of, ended_at};
 use super::optimum::{
-    DesignReport, LimitReport, OptimizeReport, add_convergence, bound_in_words, ended_line,
+    DesignLimits, LimitReport, OptimizeReport, add_convergence, bound_in_words, ended_line,
     varied_table,
 };
 use super::reply::{Ending, Report};
@@ -23,7 +23,7 @@ const ROUNDING: f64 = 1e-6;
 /// The answer of `design`: the best design, with its limits and its changes.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Designed<'a> {
+pub struct DesignReport<'a> {
     #[serde(skip)]
     problem: &'a Design,
     #[serde(skip)]
@@ -34,10 +34,10 @@ pub struct Designed<'a> {
     #[serde(flatten)]
     pub search: OptimizeReport<'a>,
     /// The limits of the design, and its changes.
-    pub design: DesignReport,
+    pub design: DesignLimits,
 }
 
-impl<'a> Designed<'a> {
+impl<'a> DesignReport<'a> {
     /// The best design that `search` found, with the rules and limits of `problem`. `setup` is the
     /// setup before the search; `parts` are the goals before the search and with the best design;
     /// `notes` are the assumptions, in sentences.
@@ -52,7 +52,7 @@ impl<'a> Designed<'a> {
         let before = best.search.parameters();
         let before = before.map(|parameter| (parameter.name, setup.value_or_unset(parameter)));
         let states = problem.constraint_states(best);
-        let design = DesignReport {
+        let design = DesignLimits {
             rules: if problem.is_under_rules {
                 "golf"
             } else {
@@ -73,7 +73,7 @@ impl<'a> Designed<'a> {
     }
 }
 
-impl Report for Designed<'_> {
+impl Report for DesignReport<'_> {
     const COMMAND: &'static str = "design";
 
     #[cfg(test)]
@@ -122,7 +122,7 @@ impl Report for Designed<'_> {
     }
 }
 
-impl Designed<'_> {
+impl DesignReport<'_> {
     /// The varied parameters and the goals, before the search and with the best design.
     fn changes(&self, system: System) -> DocumentTable {
         let solution = &self.best.solution;

@@ -14,7 +14,6 @@ mod delivery;
 mod design;
 mod document;
 mod drive;
-mod effects;
 mod explorer;
 pub mod figures;
 mod frame;
@@ -26,6 +25,7 @@ mod limits;
 mod lines;
 mod mae494;
 mod optimum;
+mod optimum_sensitivity;
 mod origin;
 pub mod page;
 mod parameters;
@@ -56,10 +56,9 @@ pub use delivery::{
     DeliveryReport, DeliveryRow, bound_warnings, delivery_setup, difference_warnings,
     population_warnings, recovered_csv, recovered_toml, unusual_warnings,
 };
-pub use design::Designed;
+pub use design::DesignReport;
 pub use document::{Document, Line, TextOptions, document_files};
 pub use drive::{ClubReport, DriveReport, LaunchReport, LawRanges, total_uncertainty_note};
-pub use effects::{EffectReport, EffectsReport, OutcomeEffects};
 pub use explorer::explorer_state;
 pub use frame::TextFile;
 pub use gradient::{GradientReport, OutcomeReport};
@@ -69,8 +68,11 @@ pub use laws::{LawReport, LawsReport};
 pub use lines::{remark, wrapped};
 pub use mae494::Mae494Report;
 pub use optimum::{
-    ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimizeReport,
+    ConstraintReport, DesignLimits, LimitReport, LocalReport, Multipliers, OptimizeReport,
     OptimumReport, iteration_line, optima_document, optimum_setup,
+};
+pub use optimum_sensitivity::{
+    OptimumSensitivityReport, PredictedOptimum, ResolvedOptimum, SensitivityOf, StatedChangeReport,
 };
 pub use origin::SetupOrigin;
 pub use parameters::{ParameterReport, ParametersReport};
@@ -82,9 +84,7 @@ pub use parquet::{PARQUET_MAGIC, ParquetGroup, RowGroups};
 pub use presets::{ChangedSetting, PresetReport, PresetsReport, changes};
 pub use reply::{Empty, Ending, Reply, Report};
 pub use robust::{ModelReport, RobustReport, robust_setup};
-pub use sensitivity::{
-    PredictedOptimum, ResolvedOptimum, SensitivityOf, SensitivityReport, StatedChangeReport,
-};
+pub use sensitivity::{EffectReport, OutcomeEffects, SensitivityReport};
 #[cfg(feature = "commands")]
 pub(crate) use setup_file::setting_text;
 pub use setup_file::{CommentedSetup, given_toml, preset_toml, setup_toml};

@@ -1,447 +1,254 @@
 use super::by_reason::by_reason;
 use super::document::{Detail, Document, DocumentBlock, DocumentTable, Line};
-use super::json::{ByName, JsonNumber};
-use super::optimum::{
-    OptimizeReport, add_convergence, add_varied_and_constraints, drive_lines, gain_lines,
-    optima_document, optimum_document,
-};
-use super::reply::{Ending, Report};
-use super::shown;
-use crate::error::{Error, Result};
+use super::json::JsonNumber;
+use super::reply::Report;
+use super::{OptimumReport, shown};
+use crate::drive::Outcome;
+use crate::error::Result;
 use crate::parameters::Parameter;
-use crate::study::{
-    Changed, Direction, Ellipse, Flatness, Optimum, OptimumAnalysis, PredictedEvent, Sensitivity,
-};
-use crate::units::{
-    DisplayUnit, Message, System, is_zero, leading_number, printed, significant, with_unit,
-};
+use crate::study::{Effect, Effects, NamedDrive, Optimum, Sensitivity, SigmaEffect};
+use crate::units::{System, significant};
 use serde::Serialize;
 
-/// An optimum with its sensitivities, directions, ellipses and stated changes, SI and radians.
-/// These are `null` if the search did not converge.
+/// Number of rows of a table in a plain text without the option `all`.
+const FIRST_ROWS: usize = 10;
+
+/// The source of an uncertainty that the request states.
+pub(super) const STATED: &str = "given";
+
+/// The effects of all parameters on outcomes, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SensitivityReport<'a> {
     #[serde(skip)]
-    analysis: Option<&'a OptimumAnalysis>,
+    found: &'a [Effects],
+    /// The outcome that the search optimizes; `None` for the drive as set up. The table of this
+    /// outcome also has the derivatives of its optimal value.
     #[serde(skip)]
-    why: Option<&'a Error>,
-    /// The optimum.
-    #[serde(flatten)]
-    pub search: OptimizeReport<'a>,
-    /// The derivatives of the optimum by each parameter.
-    pub sensitivity: Option<ByName<SensitivityOf>>,
-    /// Directions in the space of the free parameters, in ascending order of the curvature of the
-    /// objective.
-    pub directions: Option<Vec<Direction>>,
-    /// An ellipse for each pair of free parameters, on which the quadratic model of the objective
-    /// has the allowed loss. The model ignores bounds. Empty if a constraint is active.
-    pub ellipses: Option<Vec<Ellipse>>,
-    /// The optima after stated changes: as the derivatives predict them, and from new searches.
-    pub changes: Option<Vec<StatedChangeReport>>,
+    optimized: Option<Outcome>,
+    /// Each outcome, in the order requested.
+    pub outcomes: Vec<OutcomeEffects>,
+    /// The optimum, if the effects belong to the optimal drive; `null` for the drive as set up.
+    pub at_optimum: Option<OptimumReport>,
 }
 
-/// The derivatives of an optimum by a parameter p, or `null` with a `message`.
+/// The effects of all parameters on an outcome, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct SensitivityOf {
-    /// df*/dp, SI.
+pub struct OutcomeEffects {
+    /// The outcome.
+    pub of: Outcome,
+    /// The value of the outcome, SI.
     pub value: JsonNumber,
-    /// dx*/dp of each varied parameter, SI.
-    pub optimum: Option<ByName<JsonNumber>>,
-    /// d²f*/dp², SI.
-    pub curvature: JsonNumber,
-    /// The reason why the derivatives do not exist; `null` if they exist.
-    pub message: Option<String>,
+    /// The standard uncertainty of the outcome, SI, to first order for independent parameters.
+    pub standard_uncertainty: JsonNumber,
+    /// The sum of the second-order terms, SI. `standard_uncertainty` omits these terms; `flown` in
+    /// each effect includes the second-order term of the effect.
+    pub linearity: JsonNumber,
+    /// The effects of the parameters, the largest first.
+    pub effects: Vec<EffectReport>,
 }
 
-/// The effect of a stated change.
+/// The effect of a parameter p on an outcome f. Numbers that need the uncertainty of p are `null`
+/// if p has none.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct StatedChangeReport {
-    /// The parameter.
+pub struct EffectReport {
+    /// The parameter p.
     pub parameter: &'static str,
-    /// The change of the parameter, SI.
-    pub change: f64,
-    /// The optimum that the derivatives predict.
-    pub predicted: PredictedOptimum,
-    /// The result of a new search with the changed parameter.
-    pub resolved: ResolvedOptimum,
-    /// The first change of the active bounds and constraints that the derivatives predict; `null`
-    /// without one.
-    pub event: Option<PredictedEvent>,
-    /// The actual changes of the active bounds and constraints. If no optimum was found: the
-    /// reason.
-    pub differences: Vec<Message>,
-}
-
-/// An optimum predicted from derivatives.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct PredictedOptimum {
-    /// The value of the objective to second order, SI.
-    pub value: f64,
-    /// The value of the objective to first order, SI.
-    pub first_order: f64,
-    /// The varied parameters at the optimum, SI.
-    pub optimum: ByName<JsonNumber>,
-}
-
-/// The result of a new search after a change.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ResolvedOptimum {
-    /// The status of the search.
-    pub status: &'static str,
-    /// The value of the objective, SI.
-    pub value: JsonNumber,
-    /// The varied parameters at the optimum, SI.
-    pub optimum: Option<ByName<JsonNumber>>,
-    /// The status in a sentence.
-    pub message: Message,
+    /// ∂f/∂p, SI.
+    pub derivative: JsonNumber,
+    /// (p/f) ∂f/∂p.
+    pub elasticity: JsonNumber,
+    /// The standard uncertainty σ, SI.
+    pub standard_uncertainty: JsonNumber,
+    /// The source of σ.
+    pub source: Option<&'static str>,
+    /// σ ∂f/∂p, SI.
+    pub effect: JsonNumber,
+    /// ½ σ² ∂²f/∂p², SI.
+    pub second_order: JsonNumber,
+    /// The change of f in drives computed at p − σ and p + σ, SI.
+    pub flown: Option<[JsonNumber; 2]>,
+    /// The derivative of the optimal value f* by p, SI; `null` for the drive as set up.
+    pub derivative_of_optimum: JsonNumber,
 }
 
 impl<'a> SensitivityReport<'a> {
-    /// The report of the optimum that `search` found. `analysis` is `None` if the search or the
-    /// analysis failed; `why` is the error of a failed analysis.
+    /// The report of the effects `found` on the drive as set up or, if there is an optimum `best`,
+    /// on the optimal drive. For each parameter, `totals` has the sensitivity of the optimal value,
+    /// or the error if the sensitivity cannot be computed. `totals` is empty without an optimum.
     pub fn new(
-        search: OptimizeReport<'a>,
-        analysis: Option<&'a OptimumAnalysis>,
-        why: Option<&'a Error>,
+        found: &'a [Effects],
+        best: Option<&Optimum>,
+        totals: &[(&'static Parameter, Result<Sensitivity>)],
     ) -> Self {
-        let best = &search.found.best;
-        let sensitivity = analysis.map(|analysis| {
-            let all = analysis.sensitivities.iter();
-            all.map(|(parameter, found)| (parameter.name, SensitivityOf::new(best, found)))
-                .collect()
-        });
-        let changes = analysis.map(|analysis| {
-            let all = analysis.changes.iter();
-            all.map(|changed| StatedChangeReport::new(best, changed))
-                .collect()
+        let optimized = best.map(|best| best.search.outcome());
+        let outcomes = found.iter().map(|effects| {
+            let is_optimized = optimized == Some(effects.of);
+            OutcomeEffects::new(effects, if is_optimized { totals } else { &[] })
         });
         Self {
-            analysis,
-            why,
-            search,
-            sensitivity,
-            directions: analysis.map(|analysis| analysis.flatness.directions.clone()),
-            ellipses: analysis.map(|analysis| analysis.flatness.ellipses.clone()),
-            changes,
+            found,
+            optimized,
+            outcomes: outcomes.collect(),
+            at_optimum: best.map(OptimumReport::new),
+        }
+    }
+}
+
+impl OutcomeEffects {
+    /// The effects on an outcome; `totals` are the sensitivities of its optimal value.
+    fn new(effects: &Effects, totals: &[(&'static Parameter, Result<Sensitivity>)]) -> Self {
+        let total = |parameter: &Parameter| {
+            let (_, sensitivity) = totals.iter().find(|(other, _)| *other == parameter)?;
+            Some(sensitivity.as_ref().ok()?.value)
+        };
+        let effect = |effect: &Effect| {
+            let of_sigma = effect.sigma_effect.as_ref();
+            EffectReport {
+                parameter: effect.parameter.name,
+                derivative: effect.gradient.into(),
+                elasticity: effect.elasticity.into(),
+                standard_uncertainty: of_sigma.map(|of_sigma| of_sigma.sigma.value).into(),
+                source: of_sigma.map(|of_sigma| of_sigma.sigma.source.unwrap_or(STATED)),
+                effect: of_sigma.map(|of_sigma| of_sigma.first_order).into(),
+                second_order: of_sigma.and_then(|of_sigma| of_sigma.second_order).into(),
+                flown: of_sigma.map(|of_sigma| of_sigma.flown.map(JsonNumber::from)),
+                derivative_of_optimum: total(effect.parameter).into(),
+            }
+        };
+        Self {
+            of: effects.of,
+            value: effects.value.into(),
+            standard_uncertainty: effects.standard_uncertainty().into(),
+            linearity: effects.linearity().into(),
+            effects: effects.effects.iter().map(effect).collect(),
         }
     }
 }
 
 impl Report for SensitivityReport<'_> {
-    const COMMAND: &'static str = "optimum-sensitivity";
+    const COMMAND: &'static str = "sensitivity";
 
-    /// The status words of a search, then those of its analysis.
-    #[cfg(test)]
-    const STATUSES: &'static [&'static str] = &{
-        let mut all = [""; Optimum::STATUSES.len() + 2];
-        let (search, analysis) = all.split_at_mut(Optimum::STATUSES.len());
-        search.copy_from_slice(&Optimum::STATUSES);
-        analysis.copy_from_slice(&["no-answer", "undefined"]);
-        all
-    };
-
-    fn ending(&self) -> Ending {
-        match (self.analysis, self.why) {
-            // the `message` of each sensitivity has the reason
-            (Some(analysis), _) if !analysis.is_answered() => Ending {
-                status: "no-answer",
-                message: Some("this optimum has none of the requested sensitivities".into()),
-            },
-            (None, Some(why)) => Ending {
-                status: why.status(),
-                message: Some(why.to_string()),
-            },
-            _ => self.search.ending(),
-        }
-    }
-
-    /// The analysed optimum, or without an analysis the best end of the searches.
+    /// For each outcome, the effects of uncertainties, then the derivatives.
     fn document(&self, system: System) -> Document {
-        let OptimizeReport {
-            found: optima,
-            over,
-            ..
-        } = self.search;
-        let Some(analysis) = self.analysis else {
-            return optimum_document(&optima.best, over, None, system);
+        let at = if self.at_optimum.is_some() {
+            "at the optimum"
+        } else {
+            NamedDrive::AS_SET_UP
         };
-        let mut document = analysis_document(analysis, &optima.best, system);
-        if optima.has_several_starts() {
-            document.append(optima_document(optima, system));
+        let mut document = Document::default();
+        for (effects, report) in self.found.iter().zip(&self.outcomes) {
+            let of = effects.of;
+            let value = shown::both(of, effects.value, system);
+            document.list([Line::flush(format!("{} = {value}, {at}", of.name()))]);
+            let of_sigmas: Vec<SigmaEffect> = effects.sigma_effects().copied().collect();
+            if !of_sigmas.is_empty() {
+                document.add(uncertainties(effects, &of_sigmas, system));
+                let source = |of_sigma: &SigmaEffect| {
+                    Some((
+                        of_sigma.sigma.parameter.name,
+                        of_sigma.sigma.source?.to_owned(),
+                    ))
+                };
+                let sources = by_reason(of_sigmas.iter().filter_map(source)).into_iter();
+                let lines = sources.map(|line| Line::item(format!("default of {line}")));
+                let defaults = DocumentBlock::List(lines.collect());
+                document.add_detail(defaults, Detail::WithAll);
+            }
+            let is_optimized = self.optimized == Some(of);
+            let of_optimum = is_optimized.then_some(&report.effects[..]);
+            document.add(slopes(effects, of_optimum, system));
         }
         document
     }
 }
 
-impl SensitivityOf {
-    fn new(best: &Optimum, found: &Result<Sensitivity>) -> Self {
-        match found {
-            Ok(sensitivity) => Self {
-                value: sensitivity.value.into(),
-                optimum: Some(ByName::of_varied(&best.search.vary, &sensitivity.optimum)),
-                curvature: sensitivity.curvature.into(),
-                message: None,
-            },
-            Err(error) => Self {
-                value: JsonNumber(None),
-                optimum: None,
-                curvature: JsonNumber(None),
-                message: Some(error.to_string()),
-            },
-        }
-    }
-}
-
-impl StatedChangeReport {
-    fn new(best: &Optimum, changed: &Changed) -> Self {
-        let (vary, resolved) = (&best.search.vary, &changed.resolved);
-        let value = resolved.value();
-        Self {
-            parameter: changed.change.parameter.name,
-            change: changed.change.delta,
-            predicted: PredictedOptimum {
-                value: changed.second_order,
-                first_order: changed.first_order,
-                optimum: ByName::of_varied(vary, &changed.predicted),
-            },
-            resolved: ResolvedOptimum {
-                status: resolved.status(),
-                value: value.into(),
-                optimum: value.map(|_| ByName::of_varied(vary, &resolved.solution.x)),
-                message: resolved.message(),
-            },
-            event: changed.event.clone(),
-            differences: changed.differences.clone(),
-        }
-    }
-}
-
-/// The optimum with its flatness, the stated changes, and the sensitivities.
-fn analysis_document(analysis: &OptimumAnalysis, best: &Optimum, system: System) -> Document {
-    let mut document = Document::default();
-    if let Some(drive) = &best.drive {
-        document.list(gain_lines(best, drive, system));
-    }
-    add_varied_and_constraints(&mut document, best, Some(&analysis.windows()), system);
-    document.list(flatness_lines(best, &analysis.flatness, system));
-    for changed in &analysis.changes {
-        document.add(change(best, changed, system));
-    }
-    add_sensitivities(&mut document, best, &analysis.sensitivities, system);
-    if let (Some(drive), Some(value)) = (&best.drive, best.value()) {
-        let lines = drive_lines(best, value, drive, system);
-        let flown = DocumentBlock::List(lines.into_iter().collect());
-        document.add_detail(flown, Detail::WithAll);
-    }
-    add_convergence(&mut document, best, system);
-    document
-}
-
-/// Number of sensitivities in a plain text without the option `all`.
-const FIRST_SENSITIVITIES: usize = 12;
-
-/// Adds the derivatives of the optimum by each parameter to a document. The rows are sorted by
-/// |df*/dp| times the typical size of the parameter p, the largest first; f* is the optimal value.
-fn add_sensitivities(
-    document: &mut Document,
-    best: &Optimum,
-    sensitivities: &[(&'static Parameter, Result<Sensitivity>)],
-    system: System,
-) {
-    let mut found: Vec<_> = sensitivities
-        .iter()
-        .filter_map(|(parameter, found)| Some((parameter, found.as_ref().ok()?)))
-        .collect();
-    let weight = |(parameter, found): &(&&Parameter, &Sensitivity)| {
-        found.value.abs() * shown::typical_size(parameter)
-    };
-    found.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
-    let rows: Vec<Vec<String>> = found
-        .into_iter()
-        .map(|(parameter, found)| sensitivity_row(best, parameter, found, system))
-        .collect();
-    if !rows.is_empty() {
-        let value = format!("best {}", best.search.outcome().name());
-        let vary = best.search.vary.iter();
-        let free = vary.filter(|vary| vary.low < vary.high);
-        let optimum = free.map(|vary| format!("best {}", vary.parameter.name));
-        let head: Vec<String> = ["per unit of".into(), value]
-            .into_iter()
-            .chain(optimum)
-            .collect();
-        let columns = head.len();
-        let mut table = DocumentTable::new(head, rows).right(1..columns);
-        table.caption = "change of the optimum for each unit of a parameter".into();
-        table.first_rows = FIRST_SENSITIVITIES;
-        document.add(table);
-    }
-    let why = |(parameter, found): &(&Parameter, Result<Sensitivity>)| {
-        Some((parameter.name, found.as_ref().err()?.in_units(system)))
-    };
-    let left_out = by_reason(sensitivities.iter().filter_map(why));
-    document.list(left_out.into_iter().map(Line::item));
-}
-
-fn sensitivity_row(
-    best: &Optimum,
-    parameter: &Parameter,
-    sensitivity: &Sensitivity,
-    system: System,
-) -> Vec<String> {
-    let of = best.search.outcome();
-    let per_unit = |of: DisplayUnit, value: f64, slope: f64| {
-        let slope = shown::zero_if_rounding(slope, value, of, &[parameter]);
-        let number = shown::quotient(of, parameter, slope, system, 4);
-        with_unit(&number, system.unit(of.unit))
-    };
-    let unit = match system.unit(parameter.unit) {
-        "" => "1".into(),
-        unit => printed(unit),
-    };
-    let value = best.value().unwrap_or_default();
-    let mut cells = vec![
-        format!("{} [{unit}]", parameter.name),
-        per_unit(of.into(), value, sensitivity.value),
+/// The effects of uncertainties on an outcome, with the size of the second-order terms.
+fn uncertainties(effects: &Effects, of_sigmas: &[SigmaEffect], system: System) -> DocumentTable {
+    let of = effects.of;
+    let head = [
+        "uncertainty of",
+        "±σ",
+        "effect",
+        "second order",
+        "flown at −σ",
+        "flown at +σ",
     ];
-    let vary = best.search.vary.iter();
-    let moves = vary.zip(&best.solution.x).zip(&sensitivity.optimum);
-    let moves = moves.filter(|((vary, _), _)| vary.low < vary.high);
-    cells.extend(moves.map(|((vary, x), slope)| per_unit(vary.parameter.into(), *x, *slope)));
-    cells
-}
-
-/// Lines for the directions and for the ellipses. A direction of infinite reach is omitted, because
-/// the quadratic model never has the stated loss along this direction.
-fn flatness_lines(best: &Optimum, flatness: &Flatness, system: System) -> Vec<Line> {
-    let loss = shown::difference(best.search.outcome(), flatness.loss, system);
-    let directions = flatness
-        .directions
+    let rows = of_sigmas
         .iter()
-        .filter(|direction| direction.reach.is_finite())
-        .map(|direction| direction_line(best, direction, &loss, system));
-    let ellipses = flatness
-        .ellipses
+        .map(|of_sigma| cells_of_sigma(of_sigma, of, system));
+    let mut table = DocumentTable::new(head, rows).right(1..=5);
+    table.first_rows = FIRST_ROWS;
+    table.remark(format!(
+        "together ±{} to first order, for independent parameters; this leaves out the second-order \
+         terms, whose sizes add up to {}",
+        shown::difference(of, effects.standard_uncertainty(), system),
+        shown::difference(of, effects.linearity(), system),
+    ));
+    let without: Vec<&str> = effects
+        .effects
         .iter()
-        .map(|ellipse| ellipse_line(best, ellipse, &loss, system));
-    directions.chain(ellipses).map(Line::item).collect()
-}
-
-/// An ellipse in words, such as "ellipse of club.loft and swing.attack_angle for a loss of 1.00 yd:
-/// half-axes (+1.20 deg, -3.40 deg) and (…); drives around it lose 0.90 yd to 1.10 yd".
-fn ellipse_line(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -> String {
-    let parameters = ellipse.parameters;
-    let axis = |components: [f64; 2]| {
-        let [first, second] =
-            [0, 1].map(|row| shown::component(parameters[row], components[row], system));
-        format!("({first}, {second})")
-    };
-    let of = best.search.outcome();
-    let flown = ellipse
-        .losses
-        .map_or("part of it lies out of range".into(), |(least, most)| {
-            let [least, most] = [least, most].map(|loss| shown::difference(of, loss, system));
-            format!("drives around it lose {least} to {most}")
-        });
-    let [long, short] = ellipse.half_axes.map(axis);
-    let [first, second] = parameters.map(|parameter| parameter.name);
-    format!(
-        "ellipse of {first} and {second} for a loss of {loss}, by the quadratic model, without \
-         bounds and constraints: half-axes {long} and {short}; \
-         {flown}"
-    )
-}
-
-/// A direction in words, such as "changing club.loft by +1.20° and swing.attack_angle by -0.90° (or
-/// the opposite way) loses 1.00 yd by the quadratic model, 0.98 yd and 1.03 yd when flown".
-fn direction_line(best: &Optimum, direction: &Direction, loss: &str, system: System) -> String {
-    let moves = direction.along.iter().filter(|(_, along)| *along != 0.0);
-    let moves: Vec<_> = moves
-        .map(|(parameter, along)| {
-            let step = shown::component(parameter, along * direction.reach, system);
-            (parameter, step)
-        })
-        .filter(|(_, step)| !is_zero(leading_number(step).trim_start_matches('+')))
-        .map(|(parameter, step)| format!("{} by {step}", parameter.name))
+        .filter(|effect| shown::is_without(effects, effect))
+        .map(|effect| effect.parameter.name)
         .collect();
-    let of = best.search.outcome();
-    let flown: Vec<_> = direction
-        .losses
-        .iter()
-        .flatten()
-        .map(|lost| shown::difference(of, *lost, system))
-        .collect();
-    let flown = if flown.is_empty() {
-        "; both ends lie out of range".into()
-    } else {
-        format!(", {} when flown", flown.join(" and "))
-    };
-    format!(
-        "changing {} (or the opposite way) loses {loss} by the quadratic model{flown}",
-        moves.join(" and ")
-    )
-}
-
-/// The optimum before and after a stated change.
-fn change(best: &Optimum, changed: &Changed, system: System) -> DocumentTable {
-    let (of, parameter) = (best.search.outcome(), changed.change.parameter);
-    let row = |words: &str, value: Option<f64>, x: &[f64]| {
-        // show one decimal more than usual, so that two close values can be compared
-        let unit = system.unit(of.unit());
-        let value = value.map_or(shown::NONE.into(), |value| {
-            of.quantity().read_off_finely(value, unit)
-        });
-        let x = best
-            .search
-            .vary
-            .iter()
-            .zip(x)
-            .map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
-        [words.to_owned(), value]
-            .into_iter()
-            .chain(x)
-            .collect::<Vec<_>>()
-    };
-    let delta = shown::stated_difference(parameter, changed.change.delta, system);
-    // show the new value too: a change without a sign looks like a value
-    let to = best
-        .setup
-        .value(parameter)
-        .map(|from| shown::stated(parameter, from + changed.change.delta, system));
-    let to = to.map_or(String::new(), |to| format!(" to {to}"));
-    let title = format!(
-        "{} {}{delta}{to}",
-        parameter.name,
-        if changed.change.delta < 0.0 { "" } else { "+" }
-    );
-    let names = best.search.parameters().map(|parameter| parameter.name);
-    let head: Vec<&str> = [title.as_str(), of.name()]
-        .into_iter()
-        .chain(names)
-        .collect();
-    let rows = [
-        row("now", best.value(), &best.solution.x),
-        row("predicted", Some(changed.second_order), &changed.predicted),
-        match changed.resolved.value() {
-            Some(value) => row("searched again", Some(value), &changed.resolved.solution.x),
-            None => row("searched again", None, &[]),
-        },
-    ];
-    let columns = head.len();
-    let mut table = DocumentTable::new(head, rows).right(1..columns);
-    if let Some(PredictedEvent { after, message }) = &changed.event {
+    if !without.is_empty() {
         table.remark(format!(
-            "predicted: {} after {} % of the change",
-            message.in_units(system),
-            significant(100.0 * after, 3)
+            "{} does not depend on {} here",
+            of.name(),
+            without.join(", ")
         ));
     }
-    for difference in &changed.differences {
-        table.remark(format!("after the change: {}", difference.in_units(system)));
-    }
     table
+}
+
+/// The derivatives of an outcome. `of_optimum` has the derivatives of its optimal value; `None` if
+/// the outcome is not optimized.
+fn slopes(effects: &Effects, of_optimum: Option<&[EffectReport]>, system: System) -> DocumentTable {
+    let of = effects.of;
+    let rate = |slope: f64, parameter: &Parameter| {
+        shown::slope(of, effects.value, parameter, slope, system, 5)
+    };
+    let row = |(i, effect): (usize, &Effect)| {
+        let parameter = effect.parameter;
+        let gradient = shown::zero_if_rounding(effect.gradient, effects.value, of, &[parameter]);
+        let elasticity = effect.elasticity.map_or(shown::NONE.into(), |elasticity| {
+            significant(if gradient == 0.0 { 0.0 } else { elasticity }, 4)
+        });
+        let mut row = vec![
+            parameter.name.into(),
+            rate(effect.gradient, parameter),
+            elasticity,
+        ];
+        row.extend(of_optimum.map(|reports| {
+            let slope = reports[i].derivative_of_optimum.0;
+            slope.map_or(shown::NONE.into(), |slope| rate(slope, parameter))
+        }));
+        row
+    };
+    let mut head = vec!["by", "slope", "elasticity"];
+    head.extend(of_optimum.map(|_| "slope of the optimum"));
+    let columns = head.len();
+    let rows = effects.effects.iter().enumerate().map(row);
+    let mut table = DocumentTable::new(head, rows).right(1..columns);
+    table.first_rows = FIRST_ROWS;
+    table
+}
+
+fn cells_of_sigma(of_sigma: &SigmaEffect, of: Outcome, system: System) -> Vec<String> {
+    let change = |value: f64| shown::change(of, value, system);
+    let or_dash = |value: Option<f64>| value.map_or(shown::NONE.into(), change);
+    let [below, above] = of_sigma.flown;
+    vec![
+        of_sigma.sigma.parameter.name.into(),
+        format!(
+            "±{}",
+            shown::stated_difference(of_sigma.sigma.parameter, of_sigma.sigma.value, system)
+        ),
+        change(of_sigma.first_order),
+        or_dash(of_sigma.second_order),
+        or_dash(below),
+        or_dash(above),
+    ]
 }

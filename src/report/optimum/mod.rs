@@ -12,7 +12,7 @@ pub use answer::OptimizeReport;
 pub(super) use best_drive::{drive_lines, gain_lines};
 pub(super) use bounds::bound_in_words;
 pub use report::{
-    ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimumReport,
+    ConstraintReport, DesignLimits, LimitReport, LocalReport, Multipliers, OptimumReport,
 };
 pub use setup_file::optimum_setup;
 pub(super) use text::{

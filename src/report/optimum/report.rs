@@ -191,7 +191,7 @@ impl OptimumReport {
 /// The limits of a design, and its changes.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct DesignReport {
+pub struct DesignLimits {
     /// The rules that limit the design: `golf`, the Rules of Golf, or `none`.
     #[cfg_attr(test, schemars(extend("enum" = ["golf", "none"])))]
     pub rules: &'static str,
