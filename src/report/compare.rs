@@ -5,7 +5,7 @@ use super::reply::{Ending, Report};
 use super::shown;
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::parameters::{Parameter, UNSET};
+use crate::parameters::Parameter;
 use crate::study::{Cause, CauseValue, Comparison, Difference, Share, Shares};
 use crate::units::System;
 use serde::Serialize;
@@ -157,7 +157,14 @@ impl Report for ComparisonReport<'_> {
         document.list(differences().map(|found| difference_line(found, system)));
         document.add(outcomes(self.comparison, system));
         for difference in differences() {
-            add_causes(&mut document, difference, system);
+            let of = shown::words(difference.of.name());
+            let title = format!("difference of {of} by parameter");
+            let by_parameter = &difference.by_parameter;
+            add_shares(&mut document, &title, difference, by_parameter, system);
+            if let Some(by_launch) = &difference.by_launch {
+                let title = format!("difference of {of} by launch and air");
+                add_shares(&mut document, &title, difference, by_launch, system);
+            }
         }
         let off_centre = self.comparison.setups.iter().find_map(shown::gear_effect);
         document.list(off_centre.map(Line::flush));
@@ -193,22 +200,6 @@ fn outcomes(comparison: &Comparison, system: System) -> DocumentTable {
         Some(vec![shown::words(of.name()), a, b, change])
     });
     DocumentTable::new(["", "a", "b", "difference"], rows).right([1, 2, 3])
-}
-
-fn add_causes(document: &mut Document, difference: &Difference, system: System) {
-    let of = shown::words(difference.of.name());
-    let title = format!("difference of {of} by parameter");
-    add_shares(
-        document,
-        &title,
-        difference,
-        &difference.by_parameter,
-        system,
-    );
-    if let Some(by_launch) = &difference.by_launch {
-        let title = format!("difference of {of} by launch and air");
-        add_shares(document, &title, difference, by_launch, system);
-    }
 }
 
 /// Adds the shares of a difference to a document, the largest first. A difference with a single
@@ -313,9 +304,8 @@ fn names(causes: impl Iterator<Item = Cause>) -> String {
 /// The value of a cause in one of the two drives. A quantity that may be stated in several ways has
 /// a line for each parameter that states it.
 fn cell(cause: Cause, value: &CauseValue, system: System) -> String {
-    let stated = |parameter: &Parameter, number: &JsonNumber| match number.0 {
-        Some(value) => shown::stated(parameter, value, system),
-        None => UNSET.into(),
+    let stated = |parameter: &Parameter, number: &JsonNumber| {
+        shown::setup_value(parameter, number.0, system, shown::STATED)
     };
     match (cause, value) {
         (Cause::Continuous(parameter) | Cause::Discrete(parameter), CauseValue::Number(number)) => {

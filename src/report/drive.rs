@@ -138,9 +138,12 @@ impl Report for DriveReport<'_> {
             Flight::Landed(landed) => {
                 document.add(outcomes("flight", OutcomeGroup::Flight, drive, system));
                 let run = on_the_run(landed.rest.as_ref()).in_units(system);
-                let beyond = extrapolated(drive_setup, drive, system).map(Line::note);
+                let beyond = drive.extrapolated_carry(drive_setup);
+                let beyond = beyond.map(|change| carry_with_law_held(change).in_units(system));
                 let notes = shown::gear_effect(drive_setup).map(Line::note).into_iter();
-                let notes = notes.chain(beyond).chain([Line::note(run), conditions]);
+                let notes = notes
+                    .chain(beyond.map(Line::note))
+                    .chain([Line::note(run), conditions]);
                 document.list(notes);
             }
             Flight::None(why) => {
@@ -262,17 +265,6 @@ fn bodies(drive: &Drive<f64>, system: System) -> Vec<Line> {
     lines
 }
 
-/// The change of the carry with the law of drag and lift held at the end of its range, in words.
-/// `None` if the change is at most 0.3 yd.
-pub(super) fn extrapolated(
-    setup: &Setup<f64>,
-    drive: &Drive<f64>,
-    system: System,
-) -> Option<String> {
-    let change = drive.extrapolated_carry(setup)?;
-    Some(carry_with_law_held(change).in_units(system))
-}
-
 /// How the ball comes to rest, and the uncertainty of the total.
 fn on_the_run(rest: Option<&Rest<f64>>) -> Message {
     let parts = match rest {
@@ -293,12 +285,6 @@ pub(super) fn total_uncertainty() -> Message {
         TOTAL_UNCERTAINTY,
         Digits::Significant(2),
     )
-}
-
-/// The uncertainty of a total, for a sentence about it: "is known within 10 yd at best".
-pub(super) fn total_is_known(system: System) -> String {
-    let within = total_uncertainty().in_units(system);
-    format!("is known within {within} at best")
 }
 
 /// The uncertainty of a total, in words.

@@ -107,18 +107,13 @@ impl ParametersReport {
     pub fn with_word(mut self, word: &str) -> Result<Self> {
         let names = || self.parameters.iter().map(|one| one.parameter);
         let choices = self.choices.iter().map(|one| one.choice).chain([LAW]);
-        if !names().chain(choices).any(|name| has_word(name, word)) {
-            return self.with_word_in_meaning(word);
-        }
-        self.parameters.retain(|one| has_word(one.parameter, word));
-        self.choices.retain(|one| has_word(one.choice, word));
-        self.word = Some(word.into());
-        Ok(self)
-    }
-
-    fn with_word_in_meaning(mut self, word: &str) -> Result<Self> {
-        if !self.parameters.iter().any(|one| has_word(one.doc, word)) {
-            let names = || self.parameters.iter().map(|one| one.parameter);
+        if names().chain(choices).any(|name| has_word(name, word)) {
+            self.parameters.retain(|one| has_word(one.parameter, word));
+            self.choices.retain(|one| has_word(one.choice, word));
+        } else if self.parameters.iter().any(|one| has_word(one.doc, word)) {
+            self.parameters.retain(|one| has_word(one.doc, word));
+            self.choices.clear();
+        } else {
             let parts = names().flat_map(|name| name.split('.'));
             let presets = PRESETS.iter().map(|preset| preset.name);
             return Err(Error::unknown(
@@ -128,8 +123,6 @@ impl ParametersReport {
                 "`parameters()` lists them all",
             ));
         }
-        self.parameters.retain(|one| has_word(one.doc, word));
-        self.choices.clear();
         self.word = Some(word.into());
         Ok(self)
     }

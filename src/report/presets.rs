@@ -4,7 +4,7 @@ use super::reply::Report;
 use super::shown;
 use crate::error::Result;
 use crate::parameters::{
-    GOLFER, LAW, METHOD, PRESETS, Parameter, Preset, SPEED_OF, Setup, SetupFile, TABLE, UNSET,
+    GOLFER, LAW, METHOD, PRESETS, Parameter, Preset, SPEED_OF, Setup, SetupFile, TABLE,
     is_of_strike,
 };
 use crate::units::System;
@@ -120,7 +120,7 @@ pub(super) fn sources(
         }
     };
     let set = |row: &Parameter, value: Option<f64>| match system {
-        Some(system) => shown::setup_value(row, value, system),
+        Some(system) => shown::setup_value(row, value, system, shown::IN_LIST),
         None => row.show(value),
     };
     let number = |row: &'static Parameter| {
@@ -157,7 +157,7 @@ fn instead_of(known: &SourcedValue, base: &Setup<f64>, system: Option<System>) -
         .parameter(known.name)
         .ok()
         .zip(system)
-        .map(|(row, system)| shown::setup_value(row, base.value(row), system));
+        .map(|(row, system)| shown::setup_value(row, base.value(row), system, shown::IN_LIST));
     format!(
         "as given, instead of {}",
         number.unwrap_or_else(|| known.value.clone())
@@ -194,8 +194,20 @@ pub fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Ve
     let rows = setup.parameters().into_iter();
     let changed = rows.filter(|row| is_changed(setup, &base, row));
     let numbers = changed.map(|row| {
-        let [from, to] = [&base, setup].map(|setup| setup.value(row));
-        changed_number(row, from, to, system)
+        let values = [&base, setup].map(|setup| setup.value(row));
+        let show =
+            |digits: usize| values.map(|value| shown::setup_value(row, value, system, digits));
+        let [mut from, mut to] = show(shown::IN_SUMMARY);
+        // show all digits if the first four are equal
+        if from == to {
+            [from, to] = show(shown::IN_LIST);
+        }
+        ChangedSetting {
+            key: row.name,
+            name: shown::words(row.name),
+            from,
+            to,
+        }
     });
     let of_preset = Setup::preset(preset.name)?;
     Ok(numbers.chain(changed_choices(setup, &of_preset)).collect())
@@ -232,32 +244,6 @@ pub(super) fn is_changed(setup: &Setup<f64>, base: &Setup<f64>, row: &Parameter)
     setup.why_replaced(row).is_none() && setup.value(row) != base.value(row)
 }
 
-/// The change of a number.
-fn changed_number(
-    row: &'static Parameter,
-    from: Option<f64>,
-    to: Option<f64>,
-    system: System,
-) -> ChangedSetting {
-    let short = [from, to].map(|value| {
-        value.map_or(UNSET.into(), |value| {
-            shown::with_digits(row, value, system, shown::IN_SUMMARY)
-        })
-    });
-    // show all digits if the first four are equal
-    let [from, to] = if short[0] == short[1] {
-        [from, to].map(|value| shown::setup_value(row, value, system))
-    } else {
-        short
-    };
-    ChangedSetting {
-        key: row.name,
-        name: shown::words(row.name),
-        from,
-        to,
-    }
-}
-
 fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item = ChangedSetting> {
     let shown = |setup: &Setup<f64>, key: &str| match key {
         LAW => setup.choice(TABLE).map(file_name).or(setup.choice(LAW)),
@@ -282,7 +268,7 @@ fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item 
 }
 
 /// The name of a file. Pages and pictures omit its folder (privacy).
-fn file_name(path: &str) -> &str {
+pub(super) fn file_name(path: &str) -> &str {
     let name = Path::new(path).file_name().and_then(OsStr::to_str);
     name.unwrap_or(path)
 }

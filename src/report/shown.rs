@@ -71,11 +71,10 @@ pub(super) fn spoken(sentence: &str) -> String {
 
 /// The value of an outcome: "162.0 mph", "3.2 yd R".
 pub fn outcome(of: Outcome, value: f64, system: System) -> String {
-    let unit = system.unit(of.unit());
     if of.is_to_the_right() {
-        side(of.quantity(), unit, value)
+        side(of, value, system)
     } else {
-        of.quantity().read_off(value, unit)
+        DisplayUnit::from(of).read_off(value, system)
     }
 }
 
@@ -84,14 +83,14 @@ pub fn goal(goal: &Goal, value: f64, system: System) -> String {
     match (goal.outcome(), goal.unit) {
         (Some(of), _) => outcome(of, value, system),
         (None, "") => significant(value, 4),
-        (None, unit) => goal.quantity.read_off(value, system.unit(unit)),
+        (None, _) => DisplayUnit::from(goal).read_off(value, system),
     }
 }
 
 /// A value with R (right) for a positive sign and L (left) for a negative sign: "3.2 yd R", "3.2 yd
 /// L", "0.0 yd".
-pub(super) fn side(quantity: Quantity, unit: &str, value: f64) -> String {
-    let size = quantity.read_off(value.abs(), unit);
+pub(super) fn side(of: impl Into<DisplayUnit>, value: f64, system: System) -> String {
+    let size = of.into().read_off(value.abs(), system);
     match value {
         _ if is_zero(leading_number(&size)) => size,
         0.0.. => format!("{size} R"),
@@ -102,6 +101,27 @@ pub(super) fn side(quantity: Quantity, unit: &str, value: f64) -> String {
 /// The value of an outcome; a dash if the drive does not have it.
 pub(super) fn outcome_or_dash(of: Outcome, value: Option<f64>, system: System) -> String {
     value.map_or(NONE.into(), |value| outcome(of, value, system))
+}
+
+/// The number of a value without its unit, for a table with the unit in its head; a dash without a
+/// value.
+pub(super) fn number_or_dash(
+    of: impl Into<DisplayUnit>,
+    value: Option<f64>,
+    system: System,
+) -> String {
+    value.map_or(NONE.into(), |value| {
+        of.into().read_off_number(value, system)
+    })
+}
+
+/// The number of a difference with its sign, like [`number_or_dash`].
+pub(super) fn signed_or_dash(
+    of: impl Into<DisplayUnit>,
+    value: Option<f64>,
+    system: System,
+) -> String {
+    signed(value.unwrap_or_default(), number_or_dash(of, value, system))
 }
 
 /// The value of a goal; a dash without a value.
@@ -153,16 +173,15 @@ pub(super) fn change(of: impl Into<DisplayUnit>, value: f64, system: System) -> 
 /// The change of an outcome between two values, with its sign. It is the difference of the
 /// displayed values, so that the numbers of a text add up.
 pub(super) fn change_as_displayed(of: Outcome, from: f64, to: f64, system: System) -> String {
-    let unit = system.unit(of.unit());
-    let size = DisplayUnit::from(of).size_in(system);
+    let unit = DisplayUnit::from(of);
     let displayed = |value: f64| {
-        let text = of.quantity().read_off(value, unit);
-        leading_number(&text)
+        let number = unit.read_off_number(value, system);
+        number
             .parse::<f64>()
-            .map_or(value, |number| number * size)
+            .map_or(value, |number| number * unit.size_in(system))
     };
     let change = displayed(of.unwrap_angle(to, from)) - displayed(from);
-    signed(change, of.quantity().read_off(change, unit))
+    signed(change, unit.read_off(change, system))
 }
 
 /// The change of one parameter in a step along a direction, always with a sign: "+1.20 deg".
@@ -233,7 +252,13 @@ fn stated_apart(of: impl Into<DisplayUnit>, ends: [f64; 2], system: System) -> [
 }
 
 /// Maximum number of significant digits of a stated number.
-const STATED: usize = 5;
+pub(super) const STATED: usize = 5;
+
+/// Maximum number of significant digits of a standard uncertainty.
+pub(super) const OF_SIGMA: usize = 3;
+
+/// Maximum number of significant digits of a number in a list of all numbers of a setup.
+pub(super) const IN_LIST: usize = 7;
 
 /// Maximum number of significant digits in the summary of a request: "110 mph" is "49.17 m/s" and
 /// not "49.174 m/s".
@@ -249,35 +274,34 @@ pub fn stated_difference(parameter: &Parameter, value: f64, system: System) -> S
     difference_with_digits(parameter, value, system, STATED)
 }
 
-fn difference_with_digits(
+/// A difference or uncertainty of a parameter with at most `digits` significant digits.
+pub(super) fn difference_with_digits(
     parameter: &Parameter,
     value: f64,
     system: System,
     digits: usize,
 ) -> String {
     let size = DisplayUnit::from(parameter).size_in(system);
-    with_unit(
-        &significant(value / size, digits),
-        system.unit(parameter.unit),
-    )
+    let number = significant(value / size, digits);
+    with_unit(&number, system.unit(parameter.unit))
 }
 
 /// A parameter with its standard uncertainty: "club speed ± 0.5 mph".
 pub(super) fn with_sigma(sigma: &Sigma, system: System) -> String {
     let name = words(sigma.parameter.name);
-    let deviation = uncertainty(sigma.parameter, sigma.value, system);
+    let deviation = difference_with_digits(sigma.parameter, sigma.value, system, OF_SIGMA);
     format!("{name} ± {deviation}")
 }
 
-/// A standard uncertainty of a parameter with three significant digits: "0.0563".
-pub(super) fn uncertainty(parameter: &Parameter, deviation: f64, system: System) -> String {
-    difference_with_digits(parameter, deviation, system, 3)
-}
-
-/// A value of a setup with up to seven significant digits, or "none".
-pub(super) fn setup_value(parameter: &Parameter, value: Option<f64>, system: System) -> String {
+/// A value of a setup with at most `digits` significant digits, or "none".
+pub(super) fn setup_value(
+    parameter: &Parameter,
+    value: Option<f64>,
+    system: System,
+    digits: usize,
+) -> String {
     value.map_or(UNSET.into(), |value| {
-        with_digits(parameter, value, system, 7)
+        with_digits(parameter, value, system, digits)
     })
 }
 
@@ -482,12 +506,27 @@ pub(super) fn quotient(
 #[cfg(test)]
 mod tests {
     use super::{
-        Outcome, System, both, change, change_as_displayed, constraint, outcome, range, slope,
-        spoken, within, words,
+        Outcome, System, both, change, change_as_displayed, constraint, number_or_dash, outcome,
+        range, slope, spoken, within, words,
     };
     use crate::Setup;
     use crate::parameters::{Law, Vary};
     use crate::study::Constraint;
+
+    #[test]
+    fn exact_digits_of_each_quantity() {
+        for (of, value, shown) in [
+            (Outcome::FlightTime, 5.2408, "5.24"),
+            (Outcome::FlightTime, 0.1234, "0.12"),
+            (Outcome::SmashFactor, 1.474, "1.47"),
+            (Outcome::Spin, 213.1, "2035"),
+            (Outcome::Spin, 21.31, "203"),
+            (Outcome::BallSpeed, 72.4216, "162.0"),
+            (Outcome::Carry, 2.286, "2.5"),
+        ] {
+            assert_eq!(number_or_dash(of, Some(value), System::Us), shown);
+        }
+    }
 
     #[test]
     fn names_in_sentences_are_in_words_but_not_where_they_are_typed() {

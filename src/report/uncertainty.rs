@@ -7,7 +7,7 @@ use crate::study::uncertainty::{
     Contribution, DeltaMoments, Distribution, EllipseSource, Interval, OutcomeUncertainty,
     SampledEllipse, Uncertain, Uncertainty,
 };
-use crate::units::{Quantity, System, counted, counted_of, fixed};
+use crate::units::{DisplayUnit, Quantity, System, counted, counted_of, fixed};
 use serde::Serialize;
 
 /// The uncertainty of a drive, SI and radians.
@@ -386,6 +386,10 @@ fn depends(outcome: &OutcomeUncertainty, found: &Uncertainty) -> bool {
 
 fn ellipses(found: &Uncertainty, system: System) -> DocumentTable {
     use crate::drive::Outcome::Carry;
+    let angle = DisplayUnit {
+        quantity: Quantity::ANGLE,
+        unit: "deg",
+    };
     let head = ["landing ellipse", "half-axes", "long axis points", "inside"];
     let rows = found.ellipses.iter().map(|sampled| {
         let [long, short] = sampled.ellipse.half_axes;
@@ -403,7 +407,7 @@ fn ellipses(found: &Uncertainty, system: System) -> DocumentTable {
                 }
             ),
             lengths.join(" and "),
-            shown::side(Quantity::ANGLE, "deg", turned),
+            shown::side(angle, turned, system),
             format!("{:.1} %", 100.0 * sampled.holds),
         ]
     });

@@ -22,7 +22,7 @@ pub struct DerivativeUnit {
 impl DerivativeUnit {
     /// The unit of the derivative of the quantity `of` by the quantity `by`.
     pub fn new(of: DisplayUnit, by: DisplayUnit, units: TableUnits) -> Self {
-        let unit = |display: DisplayUnit| units.unit(display.quantity, display.unit);
+        let unit = |display: DisplayUnit| units.unit(display);
         let size = |display: DisplayUnit| {
             let size = display.quantity.size_of(unit(display));
             size.unwrap_or(1.0)

@@ -21,6 +21,17 @@ impl DisplayUnit {
         self.quantity.show(value, self.unit)
     }
 
+    /// An SI value as text in the unit that `system` uses in place of this unit, as
+    /// [`Quantity::read_off`] writes it.
+    pub fn read_off(self, value: f64, system: System) -> String {
+        self.quantity.read_off(value, system.unit(self.unit))
+    }
+
+    /// The number of [`read_off`](Self::read_off) without the unit.
+    pub(crate) fn read_off_number(self, value: f64, system: System) -> String {
+        self.quantity.read_off_number(value, system.unit(self.unit))
+    }
+
     /// SI size of the unit that `system` uses in place of this unit ([`System::unit`]).
     pub fn size_in(self, system: System) -> f64 {
         let unit = system.unit(self.unit);

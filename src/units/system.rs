@@ -1,4 +1,4 @@
-use super::Quantity;
+use super::{DisplayUnit, Quantity};
 
 /// System of units for results.
 ///
@@ -56,12 +56,12 @@ impl System {
 /// Units of the columns of a CSV table: SI units, or the units of a system.
 ///
 /// ```
-/// use longdrive::units::{Quantity, System, TableUnits};
-/// let (speed, mph) = (Quantity::SPEED, 0.44704);
-/// assert_eq!(TableUnits::Si.head("swing.speed", speed, "mph"), "swing.speed [m/s]");
+/// use longdrive::units::{DisplayUnit, Quantity, System, TableUnits};
+/// let speed = DisplayUnit { quantity: Quantity::SPEED, unit: "mph" };
+/// assert_eq!(TableUnits::Si.head("swing.speed", speed), "swing.speed [m/s]");
 /// let us = TableUnits::Of(System::Us);
-/// assert_eq!(us.head("swing.speed", speed, "mph"), "swing.speed [mph]");
-/// assert_eq!(us.number(100.0 * mph, speed, "mph"), 100.0);
+/// assert_eq!(us.head("swing.speed", speed), "swing.speed [mph]");
+/// assert_eq!(us.number(44.704, speed), 100.0);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TableUnits {
@@ -80,8 +80,9 @@ impl From<Option<System>> for TableUnits {
 }
 
 impl TableUnits {
-    /// The unit of a column. `unit` is the display unit of its quantity.
-    pub fn unit(self, quantity: Quantity, unit: &'static str) -> &'static str {
+    /// The unit of a column.
+    pub fn unit(self, of: impl Into<DisplayUnit>) -> &'static str {
+        let DisplayUnit { quantity, unit } = of.into();
         match self {
             Self::Si => quantity.si,
             Self::Of(system) => system.unit(unit),
@@ -89,15 +90,16 @@ impl TableUnits {
     }
 
     /// Column head: the name with its unit.
-    pub fn head(self, name: &str, quantity: Quantity, unit: &'static str) -> String {
-        match self.unit(quantity, unit) {
+    pub fn head(self, name: &str, of: impl Into<DisplayUnit>) -> String {
+        match self.unit(of) {
             "" => name.into(),
             unit => format!("{name} [{unit}]"),
         }
     }
 
     /// An SI value as a number in the unit of its column.
-    pub fn number(self, value: f64, quantity: Quantity, unit: &'static str) -> f64 {
+    pub fn number(self, value: f64, of: impl Into<DisplayUnit>) -> f64 {
+        let DisplayUnit { quantity, unit } = of.into();
         match self {
             Self::Si => value,
             Self::Of(system) => quantity.number_in(value, system.unit(unit)),

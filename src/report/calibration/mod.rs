@@ -5,6 +5,7 @@ mod text;
 
 use super::document::Document;
 use super::json::{ByName, JsonNumber, Matrix, Settings, settings};
+use super::presets::file_name;
 use super::reply::{Ending, Report};
 use super::setup_file::CommentedSetup;
 use super::shown::computed;
@@ -281,7 +282,7 @@ impl Report for CalibrationReport<'_> {
             cross_validations,
             ..
         } = *self;
-        let mut document = Document::new(&text::title(table));
+        let mut document = Document::new(&format!("Calibration to {}", file_name(&table.file)));
         document.paragraph(format!(
             "{}: {} ({}, {})",
             self.status(),
@@ -291,7 +292,13 @@ impl Report for CalibrationReport<'_> {
         ));
         text::data(&mut document, table, system);
         text::starts(&mut document, found);
-        text::rejected_points(&mut document, found);
+        let rejected = &found.fit.rejected;
+        if let Some(why) = &rejected.last {
+            let points = counted(rejected.count, "trial point");
+            document.paragraph(format!(
+                "The fit rejected {points}. The reason for the last one: {why}"
+            ));
+        }
         text::estimates(&mut document, table, found, system);
         text::correlations(&mut document, found);
         document.heading("Residuals");

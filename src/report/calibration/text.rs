@@ -8,15 +8,6 @@ use crate::study::calibrate::{
 use crate::units::{
     DisplayUnit, Quantity, System, counted, counted_of, fixed, significant, with_unit,
 };
-use std::path::Path;
-
-/// The title, with the name of the file. The path is omitted for privacy.
-pub(super) fn title(table: &ShotTable) -> String {
-    let file = Path::new(&table.file)
-        .file_name()
-        .map_or(table.file.as_str().into(), |name| name.to_string_lossy());
-    format!("Calibration to {file}")
-}
 
 /// Adds a description of the data to a document.
 pub(super) fn data(document: &mut Document, table: &ShotTable, system: System) {
@@ -71,17 +62,6 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
             "Starts are spread over the ranges of the parameters: with narrower ranges more of the \
              starts reach a minimum.",
         );
-    }
-}
-
-/// Adds the rejected trial points to a document.
-pub(super) fn rejected_points(document: &mut Document, found: &Calibration) {
-    let rejected = &found.fit.rejected;
-    if let Some(why) = &rejected.last {
-        let points = counted(rejected.count, "trial point");
-        document.paragraph(format!(
-            "The fit rejected {points}. The reason for the last one: {why}"
-        ));
     }
 }
 

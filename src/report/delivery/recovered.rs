@@ -24,10 +24,10 @@ pub fn recovered_csv(all: &[ShotDelivery], units: TableUnits) -> Result<String> 
         return Ok(String::new());
     };
     let parameters = first.posteriors.iter().map(|known| known.unknown.parameter);
-    let head = parameters.map(|row| units.head(row.name, row.quantity, row.unit));
+    let head = parameters.map(|row| units.head(row.name, row));
     let value = |known: &Posterior| {
         let row = known.unknown.parameter;
-        number(units.number(known.value, row.quantity, row.unit))
+        number(units.number(known.value, row))
     };
     csv_text(
         head.collect(),

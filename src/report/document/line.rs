@@ -1,28 +1,18 @@
-use crate::report::lines::{INDENT, wrapped};
+use crate::report::lines::INDENT;
 
 /// A line of a list.
 #[derive(Clone, Debug)]
 pub struct Line {
-    pub(super) indent: Indent,
+    /// Number of spaces before the line in a plain text.
+    pub(super) indent: usize,
     pub(super) text: String,
-}
-
-/// The indent of a line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Indent {
-    /// No indent.
-    Flush,
-    /// An item of a list.
-    Item,
-    /// Details of the item above.
-    Note,
 }
 
 impl Line {
     /// A line without indent.
     pub fn flush(text: impl Into<String>) -> Self {
         Self {
-            indent: Indent::Flush,
+            indent: 0,
             text: text.into(),
         }
     }
@@ -30,7 +20,7 @@ impl Line {
     /// An item of a list.
     pub fn item(text: impl Into<String>) -> Self {
         Self {
-            indent: Indent::Item,
+            indent: INDENT,
             text: text.into(),
         }
     }
@@ -38,20 +28,11 @@ impl Line {
     /// Details of the item above.
     pub fn note(text: impl Into<String>) -> Self {
         Self {
-            indent: Indent::Note,
+            indent: DETAILS,
             text: text.into(),
         }
     }
 }
 
-impl Indent {
-    /// A text with this indent, in lines of at most `width` columns.
-    pub fn lines(self, text: &str, width: usize) -> String {
-        let indent = match self {
-            Self::Flush => 0,
-            Self::Item => INDENT,
-            Self::Note => 3 * INDENT,
-        };
-        wrapped(text, [indent; 2], width)
-    }
-}
+/// Spaces before details of an item.
+pub(super) const DETAILS: usize = 3 * INDENT;

@@ -1,4 +1,4 @@
-use super::line::Indent;
+use super::line::DETAILS;
 use super::{Document, DocumentBlock, DocumentTable, Line};
 use crate::report::frame::svg_name;
 
@@ -30,11 +30,7 @@ impl Document {
 }
 
 fn line(line: &Line) -> String {
-    let indent = if line.indent == Indent::Note {
-        "  "
-    } else {
-        ""
-    };
+    let indent = if line.indent == DETAILS { "  " } else { "" };
     format!("{indent}- {}\n", escaped(&line.text))
 }
 

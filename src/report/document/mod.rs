@@ -66,10 +66,6 @@ impl Document {
         }
     }
 
-    fn push(&mut self, block: DocumentBlock) {
-        self.add_detail(block, Detail::Always);
-    }
-
     /// Adds a block with its detail. A list without lines leaves the document unchanged.
     pub(super) fn add_detail(&mut self, block: DocumentBlock, detail: Detail) {
         let is_empty = matches!(&block, DocumentBlock::List(lines) if lines.is_empty());
@@ -84,33 +80,36 @@ impl Document {
 
     /// Begins a section.
     pub fn heading(&mut self, text: &str) {
-        self.push(DocumentBlock::Heading(text.into()));
+        self.add_detail(DocumentBlock::Heading(text.into()), Detail::Always);
     }
 
     /// Adds a paragraph.
     pub fn paragraph(&mut self, text: impl Into<String>) {
-        self.push(DocumentBlock::Paragraph(text.into()));
+        self.add_detail(DocumentBlock::Paragraph(text.into()), Detail::Always);
     }
 
     /// Adds consecutive lines. Without lines, the document is unchanged.
     pub fn list(&mut self, lines: impl IntoIterator<Item = Line>) {
-        self.push(DocumentBlock::List(lines.into_iter().collect()));
+        self.add_detail(
+            DocumentBlock::List(lines.into_iter().collect()),
+            Detail::Always,
+        );
     }
 
     /// Adds a table.
     pub(super) fn add(&mut self, table: DocumentTable) {
-        self.push(DocumentBlock::Table(table));
+        self.add_detail(DocumentBlock::Table(table), Detail::Always);
     }
 
     /// Adds a figure. Plain text omits it.
     pub(super) fn figure(&mut self, figure: Figure) {
-        self.push(DocumentBlock::Figure(Box::new(figure)));
+        self.add_detail(DocumentBlock::Figure(Box::new(figure)), Detail::Always);
     }
 
     /// Adds the title of another document as a heading, then its blocks.
     pub fn append(&mut self, other: Self) {
         if !other.title.is_empty() {
-            self.push(DocumentBlock::Heading(other.title));
+            self.add_detail(DocumentBlock::Heading(other.title), Detail::Always);
         }
         self.parts.extend(other.parts);
     }

@@ -1,8 +1,9 @@
 //! Tables as plain text.
 
 use super::DocumentTable;
-use super::line::Indent;
+use super::line::DETAILS;
 use super::text::TextOptions;
+use crate::report::lines::{INDENT, wrapped};
 use crate::units::counted;
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, presets};
 
@@ -32,7 +33,7 @@ impl DocumentTable {
         if !self.row_notes.is_empty() {
             // the line with the column heads has no note
             let details = self.row_notes.iter();
-            let details = details.map(|details| Indent::Note.lines(details, width));
+            let details = details.map(|details| wrapped(details, [DETAILS; 2], width));
             let details = std::iter::once(String::new()).chain(details);
             text = text
                 .lines()
@@ -43,17 +44,17 @@ impl DocumentTable {
         let caption = if self.caption.is_empty() {
             String::new()
         } else {
-            Indent::Flush.lines(&self.caption, width)
+            wrapped(&self.caption, [0; 2], width)
         };
         let left_out = match self.rows.len() - rows.len() {
             0 => String::new(),
-            rows => Indent::Item.lines(
-                &format!("{}: `all`", counted(rows as u64, "more row")),
-                width,
-            ),
+            rows => {
+                let text = format!("{}: `all`", counted(rows as u64, "more row"));
+                wrapped(&text, [INDENT; 2], width)
+            }
         };
         let remarks = self.remarks.iter();
-        let remarks = remarks.map(|line| line.indent.lines(&line.text, width));
+        let remarks = remarks.map(|line| wrapped(&line.text, [line.indent; 2], width));
         caption + &text + &left_out + &remarks.collect::<String>()
     }
 

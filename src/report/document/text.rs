@@ -1,5 +1,5 @@
-use super::line::Indent;
 use super::{Detail, Document, DocumentBlock};
+use crate::report::lines::wrapped;
 
 /// The width and the detail of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,11 +44,11 @@ impl Document {
             Some(match &part.block {
                 DocumentBlock::Heading(_) if self.is_of_figures(at) => return None,
                 DocumentBlock::Heading(text) => format!("\n{}", underlined(text, "-")),
-                DocumentBlock::Paragraph(text) => Indent::Flush.lines(text, width),
+                DocumentBlock::Paragraph(text) => wrapped(text, [0; 2], width),
                 DocumentBlock::List(lines) => {
                     let lines = lines
                         .iter()
-                        .map(|line| line.indent.lines(&line.text, width));
+                        .map(|line| wrapped(&line.text, [line.indent; 2], width));
                     lines.collect()
                 }
                 DocumentBlock::Table(table) => table.text(options),
@@ -57,7 +57,7 @@ impl Document {
         });
         let leaves_out_blocks =
             !options.all && self.parts.iter().any(|part| part.detail == Detail::WithAll);
-        let rest = leaves_out_blocks.then(|| Indent::Flush.lines(REST, width));
+        let rest = leaves_out_blocks.then(|| wrapped(REST, [0; 2], width));
         title
             .into_iter()
             .chain(blocks)

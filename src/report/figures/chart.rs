@@ -164,7 +164,7 @@ impl<'a> ChartDrawing<'a> {
         for (i, point) in events.enumerate() {
             if let (Some(event), Some(place)) = (&point.event, place(point)) {
                 let number = format!("{}", i + 1);
-                let at = self.along.show(point.at, system);
+                let at = self.along.of.read_off(point.at, system);
                 let search = &point.best.search;
                 let event =
                     event.words(|active| shown::active(active, search, system, shown::words));

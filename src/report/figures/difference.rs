@@ -54,8 +54,8 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
          difference.",
         capital(&quantity.label),
         shown::difference(of, difference.amount(), system),
-        quantity.show(a, system),
-        quantity.show(b, system),
+        quantity.of.read_off(a, system),
+        quantity.of.read_off(b, system),
     );
     if left_out > 0 {
         let left_out = counted(left_out as u64, "smaller share");

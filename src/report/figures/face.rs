@@ -23,26 +23,16 @@ pub(super) fn seen(face: &Face, [toe, high]: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// The horizontal axis of a face as seen from the front.
-pub(super) fn across(face: &Face) -> Axis {
+/// The axes of a face as seen from the front.
+pub(super) fn axes(face: &Face) -> [Axis; 2] {
     let [left, right] = match face.golfer {
         Golfer::Right => ["toe", "heel"],
         Golfer::Left => ["heel", "toe"],
     };
-    Axis::linear(NamedQuantity::new(
-        format!("← {left} · from {} · {right} →", origin(face)),
-        Quantity::LENGTH,
-        "mm",
-    ))
-}
-
-/// The vertical axis of a face.
-pub(super) fn above(face: &Face) -> Axis {
-    Axis::linear(NamedQuantity::new(
-        format!("above {}", origin(face)),
-        Quantity::LENGTH,
-        "mm",
-    ))
+    let origin = origin(face);
+    let across = format!("← {left} · from {origin} · {right} →");
+    [across, format!("above {origin}")]
+        .map(|label| Axis::linear(NamedQuantity::new(label, Quantity::LENGTH, "mm")))
 }
 
 /// The name of the origin of the coordinates on the face.
@@ -97,13 +87,14 @@ pub fn face_figure(face: &Face, system: System) -> Figure {
         with_margin([-wide, wide], 0.04, 0.04),
         with_margin([-tall, tall], 0.3, 0.3),
     ];
+    let [x, y] = axes(face);
     let mut figure = to_scale(
         Figure::new(
             system,
             "face",
             "Carry lost by where the face is struck",
-            across(face),
-            above(face),
+            x,
+            y,
         ),
         ranges,
         [0.3, 1.2],

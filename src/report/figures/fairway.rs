@@ -1,7 +1,7 @@
 use super::scale::{Grows, to_scale, with_margin};
 use super::style::{clear_names, style};
 use crate::drive::Outcome;
-use crate::report::drive::total_is_known;
+use crate::report::drive::total_uncertainty;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape, nice_step};
 use crate::report::shown::{self, capital};
 use crate::statistics::extent;
@@ -73,16 +73,18 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
         .map(|landing| note_of(landing, system))
         .collect();
     notes.extend(ellipses_note(landings, system));
-    notes.extend(
-        landings
-            .iter()
-            .filter(|landing| landing.is_too_wide)
-            .map(too_wide),
-    );
+    for landing in landings.iter().filter(|landing| landing.is_too_wide) {
+        notes.push(format!(
+            "{}: no ellipses are drawn, because the standard deviations of its inputs are too \
+             large: more than 2 % of the drives would have a value outside of its allowed range \
+             or would not land.",
+            capital(landing.role.name())
+        ));
+    }
     if landings.iter().any(|landing| landing.rest.is_some()) {
         notes.push(format!(
-            "The total, where the ball comes to rest, {}.",
-            total_is_known(system)
+            "The total, where the ball comes to rest, is known within {} at best.",
+            total_uncertainty().in_units(system)
         ));
     }
     let unit = system.unit("yd");
@@ -248,7 +250,7 @@ fn beside_target(lateral: f64, system: System) -> String {
 }
 
 /// The note about the ellipses. `None` if no drive has ellipses because the scatter of a drive is
-/// too wide: [`too_wide`] is the note then.
+/// too wide, which has a note of its own.
 fn ellipses_note(landings: &[Landing], system: System) -> Option<String> {
     let Some(landing) = landings.iter().find(|landing| !landing.ellipses.is_empty()) else {
         let is_known = landings.iter().all(|landing| !landing.is_too_wide);
@@ -268,14 +270,4 @@ fn ellipses_note(landings: &[Landing], system: System) -> Option<String> {
         sigmas.join(", "),
         Landing::SAMPLED
     ))
-}
-
-/// The reason why a drive has no ellipses although its inputs vary.
-fn too_wide(landing: &Landing) -> String {
-    format!(
-        "{}: no ellipses are drawn, because the standard deviations of its inputs are too large: \
-         more than 2 % of the drives would have a value outside of its allowed range or would not \
-         land.",
-        capital(landing.role.name())
-    )
 }

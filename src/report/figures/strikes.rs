@@ -1,4 +1,4 @@
-use super::face::{above, across, marks, outline, reference, seen, tilt_arrows};
+use super::face::{axes, marks, outline, reference, seen, tilt_arrows};
 use super::style::field;
 use crate::drive::Outcome;
 use crate::report::plot::{Field, Figure, Hue, Layer};
@@ -56,10 +56,8 @@ pub fn strikes_figure(designs: &[(&str, &Face)], system: System) -> Option<Figur
 
 fn view(face: &Face, of: Outcome, field: Field, system: System) -> Figure {
     let [wide, tall] = face.half;
-    let (x, y) = (
-        across(face).exactly(-wide, wide),
-        above(face).exactly(-tall, tall),
-    );
+    let [x, y] = axes(face);
+    let (x, y) = (x.exactly(-wide, wide), y.exactly(-tall, tall));
     let title = format!("{} over the face", capital(&field.quantity.label));
     let mut figure = Figure::new(system, format!("strikes-{}", of.name()), title, x, y)
         .with(Layer::contours(field));

@@ -3,7 +3,7 @@ use super::style::{clear_names, style};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Vector;
-use crate::report::drive::total_is_known;
+use crate::report::drive::total_uncertainty;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::report::shown;
 use crate::statistics::extent;
@@ -230,9 +230,10 @@ fn note_of_totals(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>], system: System) 
         return String::new();
     }
     format!(
-        " After the landing the ball bounces and runs to its total, {}, which {}.",
+        " After the landing the ball bounces and runs to its total, {}, which is known within {} at \
+         best.",
         totals.join(" and "),
-        total_is_known(system)
+        total_uncertainty().in_units(system)
     )
 }
 

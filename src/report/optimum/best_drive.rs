@@ -2,9 +2,9 @@
 //! the optimal drive.
 
 use super::super::document::Line;
-use super::super::drive::{extrapolated, total_uncertainty};
+use super::super::drive::total_uncertainty;
 use super::super::shown;
-use crate::drive::{Drive, Outcome};
+use crate::drive::{Drive, Outcome, carry_with_law_held};
 use crate::study::Optimum;
 use crate::units::System;
 
@@ -59,11 +59,12 @@ pub(in crate::report) fn gain_lines(
     let advice = is_advised.then(|| {
         Line::flush("the carry grows and the total falls: `maximize total` finds the longest total")
     });
-    let beyond = extrapolated(&optimum.setup, drive, system).map(Line::flush);
+    let beyond = drive.extrapolated_carry(&optimum.setup);
+    let beyond = beyond.map(|change| carry_with_law_held(change).in_units(system));
     [Line::flush(text)]
         .into_iter()
         .chain(no_alternative)
-        .chain(beyond)
+        .chain(beyond.map(Line::flush))
         .chain(advice)
         .collect()
 }

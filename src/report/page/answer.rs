@@ -72,13 +72,6 @@ fn headline(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Marku
     })
 }
 
-/// The uncertainty of the change between two drives; `None` if it is a rounding error.
-fn change_uncertainty(yours: &Effects, best: &Effects) -> Option<f64> {
-    const ROUNDING: f64 = 1e-9;
-    let uncertainty = yours.uncertainty_of_change(best);
-    (uncertainty > ROUNDING * yours.standard_uncertainty()).then_some(uncertainty)
-}
-
 fn tiles(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Markup {
     let of = findings.of;
     let [at_yours, at_best] = [findings.effects_of(of), findings.at_best.as_ref()];
@@ -86,6 +79,11 @@ fn tiles(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Markup {
         let number = size / DisplayUnit::from(of).size_in(system);
         with_unit(&significant(number, 2), system.unit(of.unit()))
     };
+    let of_change = at_yours.zip(at_best).and_then(|(yours, best)| {
+        let uncertainty = yours.uncertainty_of_change(best);
+        let rounding = 1e-9 * yours.standard_uncertainty();
+        (uncertainty > rounding).then_some(uncertainty)
+    });
     let known = |uncertainty: Option<f64>| {
         let uncertainty = uncertainty.filter(|uncertainty| *uncertainty > 0.0);
         html! { @if let Some(size) = uncertainty { dd.known { "± " (both(|system| two_digits(size, system))) } } }
@@ -99,7 +97,7 @@ fn tiles(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Markup {
                     div {
                         dt { "change" }
                         dd { (both(|system| shown::change_as_displayed(of, yours, best, system))) }
-                        (known(at_yours.zip(at_best).and_then(|(yours, best)| change_uncertainty(yours, best))))
+                        (known(of_change))
                     }
                 }
             }
@@ -132,16 +130,13 @@ fn limits(best: &Optimum) -> Markup {
     html! { @if !lines.is_empty() { ul { @for line in lines { li { (line) } } } } }
 }
 
-/// True if varied parameter `i` is fixed, or if the optimum has it at a bound or at a corner.
+/// True if varied parameter `i` is fixed, or if the optimum `best` has it at a bound or at a corner.
 fn is_at_bound(best: &Optimum, i: usize) -> bool {
     let Optimum {
         search, solution, ..
     } = best;
     if search.vary[i].low == search.vary[i].high {
         return true;
-    }
-    if !best.is_converged() {
-        return false;
     }
     let is_corner = solution.kink.is_some_and(|kink| kink.variable == i);
     is_corner || solution.lower_multipliers[i].max(solution.upper_multipliers[i]) > 0.0
@@ -154,35 +149,28 @@ fn what_is_known(findings: &Findings) -> Markup {
         .filter(|effects| effects.standard_uncertainty() > 0.0);
     let Some(effects) = of else { return html! {} };
     let moving = effects.sigma_effects();
-    let moving: Vec<_> = moving.filter(|bar| bar.first_order != 0.0).collect();
+    let moving: Vec<_> = moving.filter(|effect| effect.first_order != 0.0).collect();
     let names: Vec<String> = moving
         .iter()
         .take(NAMED)
-        .map(|bar| shown::words(bar.sigma.parameter.name))
+        .map(|effect| shown::words(effect.sigma.parameter.name))
         .collect();
     let others = match moving.len().saturating_sub(NAMED) {
         0 => String::new(),
         count => format!(" and {count} more"),
     };
+    // an error that moves the drives in opposite directions makes the change less certain
+    let is_change_known_better = findings.at_best.as_ref().is_some_and(|best| {
+        let of_drives = [effects, best].map(Effects::standard_uncertainty);
+        effects.uncertainty_of_change(best) < ALIKE * of_drives[0].min(of_drives[1])
+    });
     html! {
         p.faint {
             "± is one standard uncertainty. It comes from " (names.join(", ")) (others) " together."
-            @if is_change_known_better(findings) {
+            @if is_change_known_better {
                 " An error that both drives share partly cancels in the change, so the change is \
                  known better."
             }
         }
     }
-}
-
-/// True if the uncertainty of the change is smaller than that of each of the two drives. It is
-/// larger where an error moves the drives in opposite directions.
-fn is_change_known_better(findings: &Findings) -> bool {
-    let drives = findings
-        .effects_of(findings.of)
-        .zip(findings.at_best.as_ref());
-    drives.is_some_and(|(yours, best)| {
-        let of_drives = [yours, best].map(Effects::standard_uncertainty);
-        yours.uncertainty_of_change(best) < ALIKE * of_drives[0].min(of_drives[1])
-    })
 }

@@ -162,7 +162,7 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
                 @for sigma in sigmas {
                     tr {
                         td { (shown::words(sigma.parameter.name)) }
-                        td.number { (both(|system| shown::uncertainty(sigma.parameter, sigma.value, system))) }
+                        td.number { (both(|system| shown::difference_with_digits(sigma.parameter, sigma.value, system, shown::OF_SIGMA))) }
                         td.words.source { (typeset(sigma.source.unwrap_or(STATED))) }
                     }
                 }

@@ -2,7 +2,7 @@ use crate::drive::Outcome;
 use crate::parameters::Parameter;
 use crate::report::csv_text;
 use crate::report::shown::words;
-use crate::units::{DisplayUnit, Quantity, System, TableUnits};
+use crate::units::{DisplayUnit, Quantity, TableUnits};
 
 /// A quantity with its name, for an axis or a colour scale.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,22 +44,17 @@ impl NamedQuantity {
         }
     }
 
-    /// An SI value in the unit of a system with the digits of a launch monitor: "251.1 yd".
-    pub fn show(&self, value: f64, system: System) -> String {
-        let unit = system.unit(self.of.unit);
-        self.of.quantity.read_off(value, unit)
-    }
-
     /// The name with the unit of a table: `carry [m]`.
     pub fn head(&self, units: TableUnits) -> String {
-        units.head(&self.label, self.of.quantity, self.of.unit)
+        units.head(&self.label, self.of)
     }
 
     /// An SI value as a number in the units of a table, with all digits; empty without a finite
     /// value.
     pub(in crate::report) fn cell(&self, value: Option<f64>, units: TableUnits) -> String {
-        let in_unit = |value: f64| units.number(value, self.of.quantity, self.of.unit);
-        value.map_or(String::new(), |value| csv_text::number(in_unit(value)))
+        value.map_or(String::new(), |value| {
+            csv_text::number(units.number(value, self.of))
+        })
     }
 }
 

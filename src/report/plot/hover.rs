@@ -7,7 +7,7 @@ use super::figure::{Figure, Layer, Shape};
 use super::layers::PlotArea;
 use super::simplify::simplified;
 use crate::report::shown::side;
-use crate::units::{DisplayUnit, Quantity, System, significant, typed};
+use crate::units::{Quantity, System, significant, typed};
 
 /// A line with more points than this has one tooltip for each piece. Other lines have a tooltip at
 /// each point.
@@ -98,15 +98,12 @@ fn on_axis(axis: &Axis, value: f64, system: System) -> String {
             .get(value.round() as usize)
             .cloned()
             .unwrap_or_default(),
-        AxisScale::LeftRight => {
-            let DisplayUnit { quantity, unit } = axis.quantity.of;
-            side(quantity, system.unit(unit), value)
-        }
+        AxisScale::LeftRight => side(axis.quantity.of, value, system),
         AxisScale::Linear | AxisScale::Log => {
             let quantity = &axis.quantity;
             let value = match quantity.of.quantity {
                 Quantity::NUMBER => significant(value, 4),
-                _ => quantity.show(value, system),
+                _ => quantity.of.read_off(value, system),
             };
             format!("{} {value}", quantity.label).trim().to_owned()
         }

@@ -220,14 +220,6 @@ pub(super) fn region(canvas: &mut Canvas, rings: &[Vec<[f64; 2]>], hue: Hue, is_
     }
 }
 
-/// Draws the contour lines.
-pub(super) fn contour_lines(canvas: &mut Canvas, area: &PlotArea, regions: &[ContourRegion]) {
-    let stroke = Stroke::new(canvas.palette.faint, 0.7);
-    for line in regions.iter().flat_map(|region| &region.lines) {
-        canvas.line(&simplified(&area.all(line)), stroke);
-    }
-}
-
 fn fill_contours(canvas: &mut Canvas, area: &PlotArea, field: &Field, regions: &[ContourRegion]) {
     let palette = canvas.palette;
     let shade = |i: usize| {
@@ -317,13 +309,6 @@ fn cross_bars(
         let along = 3.5 * (i as f64 - 0.5 * (count - 1) as f64);
         let end = |side: f64| [x + along * dx - side * dy, y + along * dy + side * dx];
         canvas.line(&[end(-5.5), end(5.5)], Stroke::new(color, 1.5));
-    }
-}
-
-pub(super) fn star(canvas: &mut Canvas, at: [f64; 2], color: Color) {
-    let background = canvas.palette.background;
-    for (radius, color) in [(6.5, background), (5.0, color), (2.0, background)] {
-        canvas.disc(at, radius, color);
     }
 }
 

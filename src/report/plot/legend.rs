@@ -68,8 +68,9 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<LegendEntry<'_>>, f6
     (entries, at[1] + LINE * (tallest as f64 - 0.5) + 3.0)
 }
 
-/// True if the legend names a layer. Marks and texts have labels instead, and contours the values
-/// of their levels. Names of lines are in the legend only with [`LineNames::Legend`].
+/// True if the legend names a layer: it is the first of its name, and its name is not elsewhere.
+/// Marks and texts have labels, and contours the values of their levels. Names of lines are in the
+/// legend only with [`LineNames::Legend`].
 fn is_named(figure: &Figure, layer: &Layer) -> bool {
     let is_named_elsewhere = match layer.shape {
         Shape::Mark(_) | Shape::Text(_) | Shape::Contours(_) => true,
@@ -77,16 +78,13 @@ fn is_named(figure: &Figure, layer: &Layer) -> bool {
         Shape::Region { is_hatched, .. } => is_hatched && figure.line_names == LineNames::OnLines,
         _ => false,
     };
-    !layer.name.is_empty() && !is_named_elsewhere && is_first_of_name(figure, layer)
-}
-
-/// True if no lower layer has the same name; marks and texts do not count.
-fn is_first_of_name(figure: &Figure, layer: &Layer) -> bool {
-    let layers = figure.layers.iter();
-    let mut others = layers.filter(|other| !matches!(other.shape, Shape::Mark(_) | Shape::Text(_)));
-    others
-        .find(|other| other.name == layer.name)
-        .is_some_and(|first| std::ptr::eq(first, layer))
+    let has_label = |other: &Layer| matches!(other.shape, Shape::Mark(_) | Shape::Text(_));
+    let mut alike = figure
+        .layers
+        .iter()
+        .filter(|other| other.name == layer.name && !has_label(other));
+    let is_first = alike.next().is_some_and(|first| std::ptr::eq(first, layer));
+    !layer.name.is_empty() && !is_named_elsewhere && is_first
 }
 
 impl LegendEntry<'_> {

@@ -2,7 +2,7 @@
 
 use super::canvas::{Canvas, LINE, Stroke};
 use super::figure::{Figure, LineNames, Shape};
-use super::layers::{PlotArea, has_room, place_on, star};
+use super::layers::{PlotArea, has_room, place_on};
 use super::palette::Color;
 
 /// Half the size of a mark, pixels.
@@ -47,8 +47,12 @@ pub(super) fn write_marks(canvas: &mut Canvas, area: &PlotArea, figure: &Figure)
     });
     let marks = merged(marks.collect());
     for mark in &marks {
-        star(canvas, mark.at, mark.color);
-        canvas.labelled.push(around(&mark.at));
+        let background = canvas.palette.background;
+        for (radius, color) in [(6.5, background), (5.0, mark.color), (2.0, background)] {
+            canvas.disc(mark.at, radius, color);
+        }
+        let corner = |by: f64| mark.at.map(|coordinate| coordinate + by);
+        canvas.labelled.push([corner(-SIZE), corner(SIZE)]);
     }
     let lines = lines(area, figure);
     for (i, mark) in marks.iter().enumerate() {
@@ -93,11 +97,6 @@ struct Mark {
     name: String,
     color: Color,
     at: [f64; 2],
-}
-
-/// The square of a mark.
-fn around(at: &[f64; 2]) -> [[f64; 2]; 2] {
-    [[at[0] - SIZE, at[1] - SIZE], [at[0] + SIZE, at[1] + SIZE]]
 }
 
 /// Merges marks at the same place into one mark, which has both names and the colour of the upper

@@ -4,10 +4,11 @@ use super::canvas::{Anchor, Canvas, Font, LINE, Stroke};
 use super::contour::contour_regions;
 use super::figure::{Figure, Layer, Shape};
 use super::hover::write_tooltips;
-use super::layers::{PlotArea, contour_lines, draw_layer, field_arrows, write_levels};
+use super::layers::{PlotArea, draw_layer, field_arrows, write_levels};
 use super::layout::{Layout, MARGIN, TITLE};
 use super::marks::{write_line_names, write_marks, write_texts};
 use super::palette::{DARK, LIGHT};
+use super::simplify::simplified;
 use super::text_width::{SMALL_TEXT, TEXT};
 use super::ticks::DrawnAxis;
 use crate::error::Result;
@@ -128,8 +129,9 @@ fn draw_inside(canvas: &mut Canvas, figure: &Figure, layout: &Layout<'_>) {
     for (layer, regions) in areas {
         draw_layer(canvas, area, layer, regions);
     }
-    for regions in &regions {
-        contour_lines(canvas, area, regions);
+    let contour_line = Stroke::new(canvas.palette.faint, 0.7);
+    for line in regions.iter().flatten().flat_map(|region| &region.lines) {
+        canvas.line(&simplified(&area.all(line)), contour_line);
     }
     for (layer, regions) in others {
         draw_layer(canvas, area, layer, regions);

@@ -87,10 +87,6 @@ impl LaunchMonitorColumns {
         }
     }
 
-    fn units(&self) -> TableUnits {
-        TableUnits::Of(self.added.system)
-    }
-
     /// The line of column heads.
     pub fn head(&self) -> Vec<u8> {
         let with_unit = |(head, unit): (String, &'static str)| {
@@ -104,13 +100,14 @@ impl LaunchMonitorColumns {
             .iter()
             .chain(&CLUB)
             .chain(&MEASURED)
-            .map(|(head, of)| with_unit(((*head).to_owned(), self.added.unit(*of))));
+            .map(|(head, of)| with_unit(((*head).to_owned(), self.added.system.unit(of.unit()))));
+        let units = TableUnits::Of(self.added.system);
         let club_name = self.has_club_name.then_some(CLUB_NAME);
         let texts = TEXTS.into_iter().chain(club_name).map(str::to_owned);
         let parameters = self
             .other_parameters
             .iter()
-            .map(|row| self.units().head(row.name, row.quantity, row.unit));
+            .map(|row| units.head(row.name, *row));
         let added = self.added.heads().into_iter().map(with_unit);
         let heads = own.chain(texts).chain(parameters).chain(added);
         (heads.collect::<Vec<_>>().join(",") + "\n").into_bytes()
@@ -140,8 +137,10 @@ impl LaunchMonitorColumns {
         for parameter in &self.other_parameters {
             // a shot that is not flown has no values
             if let Some(value) = stated.next() {
-                let (quantity, unit) = (parameter.quantity, parameter.unit);
-                push_number(bytes, self.units().number(*value, quantity, unit));
+                push_number(
+                    bytes,
+                    TableUnits::Of(added.system).number(*value, *parameter),
+                );
             }
             bytes.push(added.separator);
         }

@@ -21,18 +21,14 @@ pub(super) struct PredictionColumns {
 }
 
 impl PredictionColumns {
-    /// The unit of an outcome.
-    pub fn unit(&self, of: Outcome) -> &'static str {
-        self.system.unit(of.unit())
-    }
-
     /// The column heads, each with its unit.
     pub fn heads(&self) -> Vec<(String, &'static str)> {
         let words = OF_FLOWN.map(|word| (word.to_owned(), ""));
         let of = |before: &'static str| {
-            self.of
-                .iter()
-                .map(move |of| (format!("{before} {}", of.name()), self.unit(*of)))
+            self.of.iter().map(move |of| {
+                let unit = self.system.unit(of.unit());
+                (format!("{before} {}", of.name()), unit)
+            })
         };
         words
             .into_iter()

@@ -25,7 +25,6 @@ use crate::table::columns_remark;
 use crate::units::{Message, System};
 use columns::LaunchMonitorColumns;
 use csv::{ExportRows, PredictionColumns};
-use screen::Screen;
 use std::borrow::Cow;
 
 /// Beginning of the remark on parameters without a column.
@@ -44,7 +43,11 @@ enum ShotFormat {
     Columns(LaunchMonitorColumns),
     JsonLines(json_lines::Keys),
     OpenConnect,
-    Screen(Screen),
+    /// The launch of each shot, and the first requested outcome.
+    Screen {
+        of: Option<Outcome>,
+        system: System,
+    },
 }
 
 impl ShotWriter {
@@ -104,10 +107,10 @@ impl ShotWriter {
     /// Six columns of fixed width, for a terminal, in the units of a system.
     pub fn screen(of: &[Outcome], system: System) -> Self {
         Self {
-            table: ShotFormat::Screen(Screen {
+            table: ShotFormat::Screen {
                 of: of.first().copied(),
                 system,
-            }),
+            },
         }
     }
 
@@ -116,7 +119,7 @@ impl ShotWriter {
         match &self.table {
             ShotFormat::Copied(copied) => copied.head(),
             ShotFormat::Columns(columns) => columns.head(),
-            ShotFormat::Screen(screen) => screen.head(),
+            ShotFormat::Screen { of, system } => screen::head(*of, *system),
             ShotFormat::JsonLines(_) | ShotFormat::OpenConnect => vec![],
         }
     }
@@ -136,7 +139,9 @@ impl ShotWriter {
                 ShotFormat::Columns(columns) => columns.row(flown, row, &mut bytes),
                 ShotFormat::JsonLines(keys) => keys.row(flown, row, &mut bytes),
                 ShotFormat::OpenConnect => open_connect::row(flown, row, &mut bytes),
-                ShotFormat::Screen(screen) => screen.row(flown, row, &mut bytes),
+                ShotFormat::Screen { of, system } => {
+                    screen::row(*of, *system, flown, row, &mut bytes)
+                }
             }
             bytes.push(b'\n');
         }

@@ -5,7 +5,7 @@ use crate::report::document::{Document, DocumentTable, Line};
 use crate::report::reply::{Ending, Report};
 use crate::report::shown;
 use crate::shots::{ClubShots, Refused, ShotStatistics, Sums, instrument_deviation};
-use crate::units::{Message, Quantity, System, counted, printed, signed, significant};
+use crate::units::{Message, System, counted, printed, significant};
 use serde::Serialize;
 
 /// A summary of flown shots, SI and radians.
@@ -288,36 +288,9 @@ fn speeds(band: &BandReport, system: System) -> String {
     }
 }
 
-/// The quantity and the unit of an outcome's residuals.
-struct ResidualFormat {
-    quantity: Quantity,
-    unit: &'static str,
-}
-
-impl ResidualFormat {
-    fn new(of: Outcome, system: System) -> Self {
-        Self {
-            quantity: of.quantity(),
-            unit: system.unit(of.unit()),
-        }
-    }
-
-    /// The outcome with the unit: "carry [yd]".
-    fn title(&self, of: Outcome) -> String {
-        format!("{} [{}]", of.name(), printed(self.unit))
-    }
-
-    /// A value as a number in the unit; a dash without a value.
-    fn number(&self, value: Option<f64>) -> String {
-        value.map_or(shown::NONE.into(), |value| {
-            self.quantity.read_off_number(value, self.unit)
-        })
-    }
-
-    /// The bias with its sign; a dash without residuals.
-    fn bias(&self, sums: &SumsReport) -> String {
-        signed(sums.bias.unwrap_or_default(), self.number(sums.bias))
-    }
+/// An outcome with the unit of its residuals: "carry [yd]".
+fn title(of: Outcome, system: System) -> String {
+    format!("{} [{}]", of.name(), printed(system.unit(of.unit())))
 }
 
 /// Adds a table of the first outcome by club, if there are several clubs.
@@ -325,7 +298,7 @@ fn add_clubs(document: &mut Document, clubs: &[ClubShotsReport], system: System)
     let Some(first) = clubs.first().and_then(|club| club.outcomes.first()) else {
         return;
     };
-    let format = ResidualFormat::new(first.of, system);
+    let of = first.of;
     let row = |club: &ClubShotsReport| {
         let ClubOutcome {
             predicted,
@@ -335,50 +308,34 @@ fn add_clubs(document: &mut Document, clubs: &[ClubShotsReport], system: System)
         vec![
             club.club.clone(),
             club.rows.to_string(),
-            format.number(*predicted),
-            format.bias(residuals),
-            format.number(residuals.mean_absolute),
+            shown::number_or_dash(of, *predicted, system),
+            shown::signed_or_dash(of, residuals.bias, system),
+            shown::number_or_dash(of, residuals.mean_absolute, system),
         ]
     };
     let head = ["club", "rows", "predicted", "bias", "MAE"];
     let mut table = DocumentTable::new(head, clubs.iter().map(row)).right(1..=4);
-    table.caption = format!("{} by club:", format.title(first.of));
+    table.caption = format!("{} by club:", title(of, system));
     document.add(table);
 }
 
 /// The residuals of an outcome: a row for each band of ball speed, and one for all rows.
 fn residual_rows(residuals: &OutcomeResiduals, system: System) -> Vec<Vec<String>> {
-    let format = ResidualFormat::new(residuals.of, system);
+    let of = residuals.of;
+    let number = |value: Option<f64>| shown::number_or_dash(of, value, system);
     let row = |which: String, sums: &SumsReport, instruments: Option<f64>| {
         vec![
-            format.title(residuals.of),
+            title(of, system),
             which,
             sums.rows.to_string(),
-            format.bias(sums),
-            format.number(sums.mean_absolute),
-            format.number(sums.deviation),
-            format.number(instruments),
+            shown::signed_or_dash(of, sums.bias, system),
+            number(sums.mean_absolute),
+            number(sums.deviation),
+            number(instruments),
         ]
     };
     let bands = residuals.bands.iter();
     let bands = bands.map(|band| row(speeds(band, system), &band.sums, None));
     let all = row("all".into(), &residuals.all, residuals.instruments);
     bands.chain([all]).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Outcome, ResidualFormat, System};
-
-    #[test]
-    fn exact_digits_of_residuals() {
-        for (of, value, shown) in [
-            (Outcome::FlightTime, 0.1234, "0.12"),
-            (Outcome::Spin, 21.31, "203"),
-            (Outcome::Carry, 2.286, "2.5"),
-        ] {
-            let format = ResidualFormat::new(of, System::Us);
-            assert_eq!(format.number(Some(value)), shown);
-        }
-    }
 }

@@ -1,7 +1,7 @@
 use super::super::csv_text::push_number;
 use super::{STATUS, column_counts, expect_columns};
 use crate::batch::{Batch, Block};
-use crate::units::{DerivativeUnit, Quantity, TableUnits, Unit};
+use crate::units::{DerivativeUnit, DisplayUnit, TableUnits, Unit};
 
 /// A batch as CSV. A missing value is an empty cell.
 #[derive(Clone, Debug)]
@@ -19,15 +19,13 @@ impl SweepCsv {
     /// The table of a batch in these units.
     pub fn new(batch: &Batch, units: TableUnits) -> Self {
         let parameters = batch.parameters().iter();
-        let parameters = parameters.map(|row| (row.name, row.quantity, row.unit));
+        let parameters = parameters.map(|row| (row.name, DisplayUnit::from(*row)));
         let outcomes = batch.outcomes().iter();
-        let outcomes = outcomes.map(|of| (of.name(), of.quantity(), of.unit()));
-        let head = |(name, quantity, unit): (&str, Quantity, &'static str)| {
-            units.head(name, quantity, unit)
-        };
+        let outcomes = outcomes.map(|of| (of.name(), DisplayUnit::from(*of)));
+        let head = |(name, of): (&str, DisplayUnit)| units.head(name, of);
         let is_si = units == TableUnits::Si;
-        let of_value = |(_, quantity, unit): (&str, Quantity, &'static str)| {
-            let unit = quantity.unit_named(units.unit(quantity, unit));
+        let of_value = |(_, of): (&str, DisplayUnit)| {
+            let unit = of.quantity.unit_named(units.unit(of));
             unit.filter(|_| !is_si)
         };
         let derivatives = batch

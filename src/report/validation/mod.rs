@@ -8,7 +8,7 @@ use super::document::{Detail, Document};
 use super::reply::Report;
 use crate::error::Result;
 use crate::study::validation::SetScores;
-use crate::units::{DisplayUnit, System, TableUnits};
+use crate::units::{System, TableUnits};
 use serde::Serialize;
 
 /// The errors of every law on every set of published drives, SI and radians.
@@ -40,17 +40,17 @@ impl ValidationReport<'_> {
         for set in self.sets {
             for law in &set.laws {
                 for score in &law.scores {
-                    let DisplayUnit { quantity, unit } = score.of.unit();
+                    let of = score.of.unit();
                     for one in &score.residuals {
                         let case = &set.cases[one.case];
                         let numbers = [one.predicted, one.published, one.difference]
-                            .map(|value| number(units.number(value, quantity, unit)));
+                            .map(|value| number(units.number(value, of)));
                         let words = [
                             set.set.name,
                             &case.name,
                             law.law,
                             score.of.name(),
-                            units.unit(quantity, unit),
+                            units.unit(of),
                         ];
                         let row = words
                             .into_iter()

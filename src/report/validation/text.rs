@@ -1,10 +1,10 @@
 use super::figures::{ALTERNATIVE, best};
 use crate::parameters::{Law, TABLE_LAW};
 use crate::report::document::{Document, DocumentTable};
-use crate::report::shown::NONE;
+use crate::report::shown;
 use crate::statistics::extent;
 use crate::study::validation::{Case, Compared, LawScores, OTHER_TEMPERATURES, Score, SetScores};
-use crate::units::{DisplayUnit, System, counted, fixed, signed};
+use crate::units::{System, counted, fixed};
 
 /// The first quantity of most sets is the carry. If it is another quantity, the table names it.
 const CARRY: &str = "carry";
@@ -22,13 +22,8 @@ pub(super) fn summary(document: &mut Document, found: &[SetScores], system: Syst
     let rows = found.iter().map(|set| {
         let of = |law: &LawScores| law.scores.first()?.mean_absolute_error;
         let best = best(set);
-        let named = |name: &str| {
-            set.laws
-                .iter()
-                .find(|law| law.law == name)
-                .and_then(of)
-                .map_or(NONE.into(), |mean| shown(first(set), mean, system))
-        };
+        let number = |mean: Option<f64>| shown::number_or_dash(first(set).unit(), mean, system);
+        let named = |name: &str| number(set.laws.iter().find(|law| law.law == name).and_then(of));
         let set_name = match first(set).words() {
             CARRY => set.set.name.to_owned(),
             other => format!("{}, {other}", set.set.name),
@@ -40,8 +35,8 @@ pub(super) fn summary(document: &mut Document, found: &[SetScores], system: Syst
         ];
         cells.extend(own.map(named));
         cells.extend([
-            best.map_or(NONE.into(), |(mean, _)| shown(first(set), mean, system)),
-            best.map_or(NONE.into(), |(_, law)| law.to_owned()),
+            number(best.map(|(mean, _)| mean)),
+            best.map_or(shown::NONE, |(_, law)| law).to_owned(),
             set_name,
         ]);
         cells
@@ -70,7 +65,8 @@ fn reasons(found: &[SetScores], default: &str, system: System) -> String {
     // range of a law's bias (k = 0) or loss by scatter (k = 1) over the sets of averages
     let over_averages = |law: &str, k: usize| {
         let values = found.iter().filter_map(|set| Some(of_law(set, law)?[k]));
-        let [least, most] = extent(values).map(|value| shown(Compared::Carry, value, system));
+        let carry = Compared::Carry.unit();
+        let [least, most] = extent(values).map(|value| carry.read_off_number(value, system));
         format!("{least} to {most} {unit}")
     };
     let averages = found.iter().filter(|set| set.set.is_averaged);
@@ -106,7 +102,8 @@ fn descent_of_clubs(found: &[SetScores], law: &str, system: System) -> String {
         let set = found.iter().find(|set| set.set.name == *name)?;
         let scores = &set.laws.iter().find(|each| each.law == law)?.scores;
         let descent = scores.iter().find(|score| score.of == Compared::Descent)?;
-        let mean = shown(descent.of, descent.mean_absolute_error?, system);
+        let mean = descent.of.unit();
+        let mean = mean.read_off_number(descent.mean_absolute_error?, system);
         Some(format!("{mean}° ({name})"))
     };
     let of_sets: Vec<String> = CLUBS.iter().filter_map(of_set).collect();
@@ -142,9 +139,7 @@ pub(super) fn one(document: &mut Document, set: &SetScores, system: System) {
     let rows = set.laws.iter().map(|law| {
         let mut cells = vec![law_with_count(set, law)];
         cells.extend(errors_of(law, system));
-        let bias_text = |bias: Option<f64>| {
-            bias.map_or(NONE.into(), |bias| difference(first(set), bias, system))
-        };
+        let bias_text = |bias: Option<f64>| shown::signed_or_dash(first(set).unit(), bias, system);
         if is_averaged {
             cells.push(bias_text(law.averaged));
         }
@@ -160,12 +155,13 @@ pub(super) fn one(document: &mut Document, set: &SetScores, system: System) {
 /// The bias and the mean absolute error of a law, for each compared quantity.
 fn errors_of(law: &LawScores, system: System) -> Vec<String> {
     let errors = |score: &Score| {
-        let bias = score.bias.map(|bias| difference(score.of, bias, system));
-        let mean = score.mean_absolute_error;
-        [bias, mean.map(|mean| shown(score.of, mean, system))]
+        let of = score.of.unit();
+        [
+            shown::signed_or_dash(of, score.bias, system),
+            shown::number_or_dash(of, score.mean_absolute_error, system),
+        ]
     };
-    let errors = law.scores.iter().flat_map(errors);
-    errors.map(|text| text.unwrap_or(NONE.into())).collect()
+    law.scores.iter().flat_map(errors).collect()
 }
 
 /// The name of a law. If the law cannot compute every drive of the set, the numbers of drives
@@ -183,14 +179,4 @@ fn law_with_count(set: &SetScores, law: &LawScores) -> String {
 
 fn first(set: &SetScores) -> Compared {
     set.set.computation.compared()[0]
-}
-
-/// A number without its unit.
-fn shown(of: Compared, value: f64, system: System) -> String {
-    let DisplayUnit { quantity, unit } = of.unit();
-    quantity.read_off_number(value, system.unit(unit))
-}
-
-fn difference(of: Compared, value: f64, system: System) -> String {
-    signed(value, shown(of, value, system))
 }
