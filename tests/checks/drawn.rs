@@ -7,14 +7,15 @@ use longdrive::batch::Batch;
 use longdrive::optimize::Observer;
 use longdrive::parameters::Preset;
 use longdrive::report::figures::{
-    OnChart, OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
+    self, ChartFigures, OnMap, View, face_figure, fairway_figure, launches_figure, map_figure,
     trajectory_figure,
 };
 use longdrive::report::plot::{Figure, Hue, Layer, Look, Shape, figure_csv, figure_svg};
 use longdrive::study::uncertainty::{LandingEllipse, SaltelliDesign, SamplePlan, Uncertain};
 use longdrive::study::{
-    ChartObserver, Constraint, DriveRole, Face, Fineness, Landing, Launches, Map, NamedDrive,
-    Optimum, Region, Search, Sense, Sigma, Vary, chart, flatness, map, optimum, with_defaults,
+    Chart, ChartObserver, Constraint, DriveRole, Face, Fineness, Landing, Launches, Map,
+    NamedDrive, Optimum, Region, Search, Sense, Sigma, Vary, chart, flatness, map, optimum,
+    with_defaults,
 };
 use longdrive::units::{System, TableUnits};
 use longdrive::{Drive, Error, Outcome, Setup};
@@ -35,13 +36,15 @@ fn in_large_steps() -> Setup<f64> {
     setup
 }
 
-/// A setup that starts from `tour-average`, and an optimum, to show on a chart.
-fn on_chart<'a>(setup: &'a Setup<f64>, own: Option<&'a Optimum>) -> OnChart<'a> {
-    OnChart {
-        setup,
-        preset: Preset::named("tour-average").unwrap(),
-        own,
-    }
+/// The plots of a chart for a setup that starts from `tour-average`, and an optimum.
+fn chart_figures(
+    chart: &Chart,
+    setup: &Setup<f64>,
+    own: Option<&Optimum>,
+    system: System,
+) -> ChartFigures {
+    let preset = Preset::named("tour-average").unwrap();
+    figures::chart_figures(chart, setup, preset, own, system)
 }
 
 /// An outcome of the setup with some parameters changed.
@@ -370,7 +373,7 @@ fn a_chart_marks_the_drive_and_names_active_bounds() {
     let along = Vary::read(&setup, "swing.speed=90mph..125mph").unwrap();
     let found = chart(&setup, &search, along, &[], &ChartObserver::default()).unwrap();
     let best = optimum(&setup, search, Observer::default()).unwrap();
-    let figures = chart_figures(&found, &on_chart(&setup, Some(&best)), System::Us);
+    let figures = chart_figures(&found, &setup, Some(&best), System::Us);
     assert_eq!(figures.drawn.len(), 2, "the attack angle has no figure");
     assert!(
         figures.at_bound[0].1.contains("upper bound"),
@@ -428,7 +431,7 @@ fn a_chart_that_misses_the_optimum_of_the_setup_has_a_sentence_about_it() {
     let lost = followed.points[0].best.value().unwrap() - own.value().unwrap();
     assert!(lost > 0.005, "{lost} m/s");
     close(found.loss_at(&own).unwrap(), lost, lost, 1e-6, "the loss");
-    let figures = chart_figures(&found, &on_chart(&setup, Some(&own)), System::Us);
+    let figures = chart_figures(&found, &setup, Some(&own), System::Us);
     assert!(
         !figures
             .at_bound
@@ -458,7 +461,7 @@ fn events_of_a_chart_are_in_words_with_the_chosen_units() {
         (System::Us, "apex height ≤ 35 yd from here on"),
         (System::Metric, "apex height ≤ 32.004 m from here on"),
     ] {
-        let note = &chart_figures(&found, &on_chart(&setup, None), system).drawn[0].note;
+        let note = &chart_figures(&found, &setup, None, system).drawn[0].note;
         assert!(
             note.contains(limit) && !note.contains("<=") && !note.contains("apex_height"),
             "{note}"

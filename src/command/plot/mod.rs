@@ -20,8 +20,8 @@ use crate::optimize::Observer;
 use crate::parameters::{Law, Parameter};
 use crate::repeated::first_repeated;
 use crate::report::figures::{
-    ChartFigures, OnChart, OnMap, Over, View, chart_figures, difference_figure, laws_figure,
-    map_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    ChartFigures, OnMap, Over, View, chart_figures, difference_figure, laws_figure, map_figure,
+    tornado_figure, trajectory_figure, vcurve_figure,
 };
 use crate::report::plot::Figure;
 use crate::reproduce::while_loop;
@@ -170,13 +170,10 @@ fn along(args: &PlotChart) -> Result<Answer> {
         .map(|_| optimum(setup, search.clone(), Observer::default()))
         .transpose()?
         .filter(Optimum::is_converged);
-    let on = OnChart {
-        // without the start values of the search: these are not values of the drive as set up
-        setup: &request.partial_setup,
-        preset: request.source.content.preset,
-        own: own.as_ref(),
-    };
-    let figures = chart_figures(&chart, &on, system());
+    // without the start values of the search: these are not values of the drive as set up
+    let setup_as_stated = &request.partial_setup;
+    let preset = request.source.content.preset;
+    let figures = chart_figures(&chart, setup_as_stated, preset, own.as_ref(), system());
     let figure = figure_of(&figures, search, shown, &target)?;
     let warnings = [setup.drive_warnings(&[]), chart.warnings()].concat();
     let target = target.about(drive_search.origin(&request));

@@ -1,9 +1,9 @@
-use super::constants::{constants, subtitle};
+use super::constants::subtitle;
 use crate::drive::Outcome;
 use crate::parameters::{Preset, Setup};
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::report::shown::{self, capital};
-use crate::study::{BoundSide, Chart, ChartPoint, NamedDrive, Optimum, Search, Vary};
+use crate::study::{BoundSide, Chart, ChartPoint, NamedDrive, Optimum, Vary};
 use crate::units::System;
 
 /// The optimum along a parameter, as small plots with a common horizontal axis.
@@ -16,21 +16,18 @@ pub struct ChartFigures {
     pub at_bound: Vec<(Vary, String)>,
 }
 
-/// The setup and the optimum to show on a chart.
-#[derive(Clone, Copy, Debug)]
-pub struct OnChart<'a> {
-    /// The setup. It may have no value of the chart's parameter and of varied parameters.
-    pub setup: &'a Setup<f64>,
-    /// The preset that the setup starts from. The subtitle names the differences.
-    pub preset: &'a Preset,
-    /// The optimum at the setup's value of the chart's parameter.
-    pub own: Option<&'a Optimum>,
-}
-
 /// The optimum along a parameter: a plot of the optimal value, and a plot of each varied parameter
-/// that changes, with the bounds of its range. The plots mark the optimum at the setup's value of
-/// the parameter. Texts are in the units of `system`.
-pub fn chart_figures(chart: &Chart, on: &OnChart<'_>, system: System) -> ChartFigures {
+/// that changes, with the bounds of its range. The plots mark `own`, the optimum at the value that
+/// `setup` has of the parameter. `setup` may have no value of the parameter and of varied
+/// parameters. The subtitle names its differences from `preset`. Texts are in the units of
+/// `system`.
+pub fn chart_figures(
+    chart: &Chart,
+    setup: &Setup<f64>,
+    preset: &Preset,
+    own: Option<&Optimum>,
+    system: System,
+) -> ChartFigures {
     let mut found = ChartFigures {
         drawn: vec![],
         at_bound: vec![],
@@ -39,8 +36,22 @@ pub fn chart_figures(chart: &Chart, on: &OnChart<'_>, system: System) -> ChartFi
         return found;
     };
     let search = &first.best.search;
-    let own = on.own;
-    let drawing = ChartDrawing::new(chart, on, search, system);
+    let along = chart.along;
+    let varies = |name: &str| {
+        let mut varied = search.parameters().chain([along.parameter]);
+        varied.any(|parameter| parameter.name == name)
+    };
+    let marked = own.and_then(|best| Some((best.setup.value(along.parameter)?, best)));
+    let marked = marked.filter(|(at, _)| (along.low..=along.high).contains(at));
+    let drawing = ChartDrawing {
+        chart,
+        own: marked,
+        other: marked.and_then(|(at, best)| other_optimum(chart, at, best, system)),
+        system,
+        along: NamedQuantity::parameter(along.parameter),
+        subtitle: subtitle(setup, preset, varies, None, system)
+            + &shown::with_constraints(&search.subject_to, system),
+    };
     for (i, vary) in search.vary.iter().enumerate() {
         match common_bound(chart, own, i, vary) {
             Some(side) => found
@@ -72,22 +83,7 @@ struct ChartDrawing<'a> {
     subtitle: String,
 }
 
-impl<'a> ChartDrawing<'a> {
-    fn new(chart: &'a Chart, on: &OnChart<'a>, search: &Search, system: System) -> Self {
-        let own = on
-            .own
-            .and_then(|best| Some((best.setup.value(chart.along.parameter)?, best)));
-        let own = own.filter(|(at, _)| (chart.along.low..=chart.along.high).contains(at));
-        Self {
-            chart,
-            own,
-            other: own.and_then(|(at, best)| other_optimum(chart, at, best, system)),
-            system,
-            along: NamedQuantity::parameter(chart.along.parameter),
-            subtitle: constant_parameters(chart, on, search, system),
-        }
-    }
-
+impl ChartDrawing<'_> {
     fn value(&self, of: Outcome) -> Figure {
         let quantity = NamedQuantity::outcome(of);
         let title = format!("Best {} against {}", quantity.label, self.along.label);
@@ -178,16 +174,6 @@ impl<'a> ChartDrawing<'a> {
         notes.extend(ends.map(|why| why.in_units(system)));
         figure.noted(notes.join(" "))
     }
-}
-
-/// The subtitle of a chart: the constant parameters as set up, and the constraints.
-fn constant_parameters(chart: &Chart, on: &OnChart<'_>, search: &Search, system: System) -> String {
-    let varies = |name: &str| {
-        let mut varied = search.parameters().chain([chart.along.parameter]);
-        varied.any(|parameter| parameter.name == name)
-    };
-    let constants = constants(on.setup, on.preset, varies, system);
-    subtitle(&constants) + &shown::with_constraints(&search.subject_to, system)
 }
 
 /// The sentence about the optimum `own` at the value `at`, if the chart follows another optimum

@@ -9,14 +9,17 @@ use crate::units::System;
 /// subtitle says of all that it does not name.
 const NAMED: usize = 6;
 
-/// The constant parameters of a plot, each with its value: the speed, and the differences between
-/// the setup and its preset. `varies` is true for the names of parameters that are not constant.
-pub(super) fn constants(
+/// The subtitle: "at club speed 92 mph, attack angle −3°, all else as set up". It names the speed
+/// and the differences between the setup and its preset, then `further` constants. `varies` is true
+/// for the names of parameters that are not constant.
+pub(super) fn subtitle(
     setup: &Setup<f64>,
     preset: &Preset,
     varies: impl Fn(&str) -> bool,
+    further: Option<String>,
     system: System,
-) -> Vec<String> {
+) -> String {
+    const REST: &str = "all else as set up";
     let speed = if setup.launch.is_given() {
         "launch.ball_speed"
     } else {
@@ -31,18 +34,14 @@ pub(super) fn constants(
     let changed = changed.into_iter();
     let changed = changed.filter(|change| change.key != speed && !varies(change.key));
     let changed = changed.map(|change| format!("{} {}", change.name, change.to));
-    speed_text
+    let constants: Vec<String> = speed_text
         .filter(|_| !varies(speed))
         .into_iter()
         .chain(changed.take(NAMED))
-        .collect()
-}
-
-/// The subtitle: "at club speed 92 mph, attack angle −3°, all else as set up".
-pub(super) fn subtitle(constants: &[String]) -> String {
-    const REST: &str = "all else as set up";
-    match constants {
-        [] => REST.into(),
-        constants => format!("at {}, {REST}", constants.join(", ")),
+        .chain(further)
+        .collect();
+    if constants.is_empty() {
+        return REST.into();
     }
+    format!("at {}, {REST}", constants.join(", "))
 }

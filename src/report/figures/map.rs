@@ -1,4 +1,4 @@
-use super::constants::{constants, subtitle};
+use super::constants::subtitle;
 use super::style::field;
 use crate::parameters::{Preset, Setup};
 use crate::report::plot::{Axis, Field, Figure, Hue, Layer, LineNames, NamedQuantity, Shape};
@@ -188,12 +188,7 @@ fn constant_parameters(
             .flat_map(|best| best.search.vary.iter().zip(&best.solution.x))
     };
     let is_varied = |name: &str| varied().any(|(vary, _)| vary.parameter.name == name);
-    let mut constants = constants(
-        on.setup,
-        on.preset,
-        |name| is_axis(name) || is_varied(name),
-        system,
-    );
+    let varies = |name: &str| is_axis(name) || is_varied(name);
     let at_optimum: Vec<String> = varied()
         .filter(|(vary, _)| !is_axis(vary.parameter.name))
         .map(|(vary, x)| {
@@ -204,10 +199,9 @@ fn constant_parameters(
             )
         })
         .collect();
-    if !at_optimum.is_empty() {
-        constants.push(format!("{} of the optimum", at_optimum.join(", ")));
-    }
-    subtitle(&constants)
+    let further =
+        (!at_optimum.is_empty()).then(|| format!("{} of the optimum", at_optimum.join(", ")));
+    subtitle(on.setup, on.preset, varies, further, system)
 }
 
 /// The line of a constraint, and its hatched forbidden side.

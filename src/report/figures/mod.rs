@@ -16,7 +16,7 @@ mod tornado;
 mod trajectory;
 mod vcurve;
 
-pub use chart::{ChartFigures, OnChart, chart_figures};
+pub use chart::{ChartFigures, chart_figures};
 pub use difference::difference_figure;
 pub use face::face_figure;
 pub use fairway::fairway_figure;

@@ -1,4 +1,4 @@
-use super::constants::{constants, subtitle};
+use super::constants::subtitle;
 use crate::parameters::{Preset, Setup};
 use crate::report::pareto::role;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
@@ -30,7 +30,14 @@ pub fn pareto_figure(
         });
     let title = format!("{} against {}", capital(&y.label), x.label);
     let mut figure = Figure::new(system, "pareto", title, Axis::linear(x), Axis::linear(y));
-    figure.subtitle = constant_parameters(found, setup, preset, system);
+    let search = &found.search;
+    let varies = |name: &str| {
+        let of_design = search.vary.iter().map(|vary| vary.parameter);
+        let mut all = of_design.chain(search.scenarios.parameters.iter().copied());
+        all.any(|parameter| parameter.name == name)
+    };
+    figure.subtitle = subtitle(setup, preset, varies, None, system)
+        + &shown::with_constraints(&search.subject_to, system);
     figure.layers.extend(tangent(found, system));
     // the line is interrupted where the front is disconnected
     let gap = |point: &ParetoPoint| point.is_after_gap.then_some([f64::NAN; 2]);
@@ -65,25 +72,6 @@ pub fn pareto_figure(
         ));
     }
     figure.noted(note(found, system))
-}
-
-/// The subtitle: the constant parameters as set up, and the constraints.
-fn constant_parameters(
-    found: &Pareto,
-    setup: &Setup<f64>,
-    preset: &Preset,
-    system: System,
-) -> String {
-    let search = &found.search;
-    let varies = |name: &str| {
-        let of_design = search.vary.iter().map(|vary| vary.parameter);
-        let of_swings = search.scenarios.parameters.iter().copied();
-        of_design
-            .chain(of_swings)
-            .any(|parameter| parameter.name == name)
-    };
-    let constants = constants(setup, preset, varies, system);
-    subtitle(&constants) + &shown::with_constraints(&search.subject_to, system)
 }
 
 /// The coordinates of a point: the second goal, then the first.

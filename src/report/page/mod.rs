@@ -12,8 +12,8 @@ mod sections;
 pub use findings::{EXPLORER_FILE, Findings, SETUP_FILE};
 
 use super::figures::{
-    Causes, OnChart, OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure,
-    map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    Causes, OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
+    strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use super::frame::{self, TextFile, both, chosen, picture_files, pictures};
 use super::in_both::InBoth;
@@ -76,11 +76,6 @@ fn plots(findings: &Findings) -> Plots {
         best: findings.best(),
         region: findings.region.as_ref(),
     };
-    let on_chart = OnChart {
-        setup: on_map.setup,
-        preset: on_map.preset,
-        own: on_map.best,
-    };
     let causes = |effects| Causes::APART.map(|causes| (effects, causes));
     Plots {
         drive,
@@ -97,7 +92,9 @@ fn plots(findings: &Findings) -> Plots {
         }),
         chart: pairs(|system| {
             let charts = findings.chart.iter();
-            charts.flat_map(move |chart| chart_figures(chart, &on_chart, system).drawn)
+            charts.flat_map(move |chart| {
+                chart_figures(chart, on_map.setup, on_map.preset, on_map.best, system).drawn
+            })
         }),
         effects: findings
             .effects
