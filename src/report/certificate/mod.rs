@@ -2,7 +2,7 @@
 
 mod text;
 
-pub(super) use text::exact_for_display;
+pub(super) use text::add_derivatives;
 
 use crate::derivative::check::{Check, Curve, Verdict};
 use crate::drive::Outcome;
@@ -17,7 +17,7 @@ use crate::study::certificate::{
 };
 use crate::units::System;
 use serde::Serialize;
-use text::{ending, lines, rows_table, stopped};
+use text::{ending, lines, stopped};
 
 /// A certificate of derivatives, SI and radians.
 #[derive(Clone, Debug, Serialize)]
@@ -158,13 +158,7 @@ impl Report for CertificateReport<'_> {
     /// the other checks and the while-loop.
     fn document(&self, system: System) -> Document {
         let mut document = Document::default();
-        document.add(rows_table(&self.certificate.rows));
-        document.list([Line::item(
-            "error: the difference from the numerical derivative; num-dual: the difference from the \
-             derivative over num_dual::Dual64; both relative to the exact derivative, or absolute \
-             if it is 0; Taylor slopes: the orders of the Taylor remainders of degree 0, 1 and 2 \
-             in the step (expected: at least 1, 2 and 3; – where rounding dominates)",
-        )]);
+        add_derivatives(&mut document, &self.certificate.rows);
         let lines = lines(self.certificate, self.while_loop, system);
         document.list(lines.into_iter().map(Line::item));
         document.paragraph(ending(self.certificate));

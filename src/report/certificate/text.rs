@@ -1,7 +1,7 @@
 use crate::derivative::check::Verdict;
 use crate::drive::Outcome;
 use crate::report::by_reason::by_reason;
-use crate::report::document::DocumentTable;
+use crate::report::document::{Document, DocumentTable, Line};
 use crate::report::shown;
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{
@@ -212,8 +212,8 @@ fn agreement(rows: &[DerivativeRow]) -> Option<String> {
     ))
 }
 
-/// Table of the derivatives with their verdicts.
-pub(super) fn rows_table(rows: &[DerivativeRow]) -> DocumentTable {
+/// Adds the table of the derivatives with their verdicts to a document, and what its columns mean.
+pub(in crate::report) fn add_derivatives(document: &mut Document, rows: &[DerivativeRow]) {
     let not_passed = rows
         .iter()
         .filter(|row| row.verdict() != Verdict::Pass)
@@ -229,7 +229,8 @@ pub(super) fn rows_table(rows: &[DerivativeRow]) -> DocumentTable {
         "Taylor slopes",
     ];
     let rows = rows.iter().map(|row| {
-        let (check, exact) = (&row.first, exact_for_display(row));
+        let check = &row.first;
+        let exact = shown::zero_if_rounding(check.exact, row.ladder.size, row.of, &[row.parameter]);
         let relative = |error: f64| {
             let error = if exact == 0.0 {
                 error
@@ -259,12 +260,13 @@ pub(super) fn rows_table(rows: &[DerivativeRow]) -> DocumentTable {
     let mut table = DocumentTable::new(head, rows).right(3..=6);
     table.key_columns = 2;
     table.first_rows = not_passed + FIRST_ROWS;
-    table
-}
-
-/// The exact derivative of a row for display: 0 if it is a rounding error.
-pub(in crate::report) fn exact_for_display(row: &DerivativeRow) -> f64 {
-    shown::zero_if_rounding(row.first.exact, row.ladder.size, row.of, &[row.parameter])
+    document.add(table);
+    document.list([Line::item(
+        "error: the difference from the numerical derivative; num-dual: the difference from the \
+         derivative over num_dual::Dual64; both relative to the exact derivative, or absolute \
+         if it is 0; Taylor slopes: the orders of the Taylor remainders of degree 0, 1 and 2 \
+         in the step (expected: at least 1, 2 and 3; – where rounding dominates)",
+    )]);
 }
 
 /// A sentence that compares the derivatives at the landing with finite differences. The differences

@@ -14,35 +14,48 @@ use maud::{Markup, html};
 /// The errors of [`figure_svg`](crate::report::plot::figure_svg) and
 /// [`figure_csv`](crate::report::plot::figure_csv).
 pub fn document_files(documents: &InBoth<Document>, system: System) -> Result<Vec<TextFile>> {
-    let InBoth { metric, us } = documents;
     let title = &documents.get(system).title;
-    let figures = metric.figures().zip(us.figures());
-    let plots: Vec<InBoth<Figure>> = figures
+    let header = html! { h1 { (chosen(&documents.metric.title, &documents.us.title)) } };
+    let mut files = vec![TextFile {
+        name: "index.html".into(),
+        text: page(title, &header, &content(documents, false)?, None, system),
+    }];
+    files.extend(picture_files(&figures(documents), system)?);
+    Ok(files)
+}
+
+fn figures(documents: &InBoth<Document>) -> Vec<InBoth<Figure>> {
+    let figures = documents.metric.figures().zip(documents.us.figures());
+    figures
         .map(|(metric, us)| InBoth {
             metric: metric.clone(),
             us: us.clone(),
         })
-        .collect();
+        .collect()
+}
+
+/// The blocks of a document. With `is_stacked`, a narrow page shows each cell of a table on a line
+/// of its own, after the head of its column.
+///
+/// # Errors
+/// The errors of [`figure_svg`](crate::report::plot::figure_svg). [`Error::Output`] if the kinds of
+/// a block differ between the systems of units, which no report causes.
+pub(in crate::report) fn content(documents: &InBoth<Document>, is_stacked: bool) -> Result<Markup> {
+    let plots = figures(documents);
     let mut parts = Parts {
         plots: &plots,
         labels: vec![],
-        about: us.title.clone(),
+        about: documents.us.title.clone(),
+        is_stacked,
     };
-    let blocks = metric.blocks().zip(us.blocks());
+    let blocks = documents.metric.blocks().zip(documents.us.blocks());
     let blocks: Vec<_> = blocks.map(|(metric, us)| InBoth { metric, us }).collect();
     // put consecutive figures side by side
     let all = blocks
         .chunk_by(|a, b| is_figure(a) && is_figure(b))
         .map(|blocks| parts.part(blocks))
         .collect::<Result<Vec<_>>>()?;
-    let header = chosen(&metric.title, &us.title);
-    let main = html! { @for part in all { (part) "\n" } };
-    let mut files = vec![TextFile {
-        name: "index.html".into(),
-        text: page(title, &html! { h1 { (header) } }, &main, None, system),
-    }];
-    files.extend(picture_files(&plots, system)?);
-    Ok(files)
+    Ok(html! { @for part in all { (part) "\n" } })
 }
 
 /// True if a block is a figure in both systems of units.
@@ -57,14 +70,14 @@ struct Parts<'a> {
     plots: &'a [InBoth<Figure>],
     labels: Vec<String>,
     about: String,
+    is_stacked: bool,
 }
 
 impl Parts<'_> {
     /// Converts one block or several consecutive figures.
     ///
     /// # Errors
-    /// [`Error::Output`] if the kinds of a block differ between the systems of units, which no
-    /// report causes.
+    /// The errors of [`content`].
     fn part(&mut self, blocks: &[InBoth<&DocumentBlock>]) -> Result<Markup> {
         Ok(match blocks {
             [
@@ -109,7 +122,7 @@ impl Parts<'_> {
                 }
                 html! {
                     @if !us.caption.is_empty() { p { (chosen(&metric.caption, &us.caption)) } }
-                    (scrolled(&self.label(), table(metric, us)))
+                    (scrolled(&self.label(), table(metric, us, self.is_stacked)))
                     @for (metric, us) in metric.notes().zip(us.notes()) { p { (chosen(metric, us)) } }
                 }
             }
@@ -141,7 +154,7 @@ impl Parts<'_> {
     }
 }
 
-fn table(metric: &DocumentTable, us: &DocumentTable) -> Markup {
+fn table(metric: &DocumentTable, us: &DocumentTable, is_stacked: bool) -> Markup {
     let class = |column: usize| {
         if us.is_right[column] {
             "number"
@@ -149,24 +162,27 @@ fn table(metric: &DocumentTable, us: &DocumentTable) -> Markup {
             "words"
         }
     };
-    let cells = |metric: &[String], us: &[String]| -> Vec<(&'static str, Markup)> {
-        metric
-            .iter()
-            .zip(us)
-            .enumerate()
-            .map(|(column, (metric, us))| (class(column), chosen(metric, us)))
-            .collect()
-    };
+    let heads = metric.head.iter().zip(&us.head);
+    let heads: Vec<Markup> = heads.map(|(metric, us)| chosen(metric, us)).collect();
+    // the first cell of a row names the row
+    let has_label = |column: usize| is_stacked && column > 0 && !heads[column].0.is_empty();
     html! {
-        table {
+        table class=[is_stacked.then_some("stacked")] {
             thead { tr {
-                @for (class, cell) in cells(&metric.head, &us.head) {
-                    @if cell.0.is_empty() { td {} } @else { th class=(class) scope="col" { (cell) } }
+                @for (column, head) in heads.iter().enumerate() {
+                    @if head.0.is_empty() { td {} } @else { th class=(class(column)) scope="col" { (head) } }
                 }
             } }
             tbody {
                 @for (metric, us) in metric.rows.iter().zip(&us.rows) {
-                    tr { @for (class, cell) in cells(metric, us) { td class=(class) { (cell) } } }
+                    tr {
+                        @for (column, (metric, us)) in metric.iter().zip(us).enumerate() {
+                            td class=(class(column)) {
+                                @if has_label(column) { span.label { (heads[column]) } }
+                                (chosen(metric, us))
+                            }
+                        }
+                    }
                 }
             }
         }

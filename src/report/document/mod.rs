@@ -7,6 +7,7 @@ mod table;
 mod table_text;
 mod text;
 
+pub(super) use html::content;
 pub use html::document_files;
 pub use line::Line;
 pub(super) use table::DocumentTable;

@@ -19,4 +19,3 @@ pub(super) use text::{
     add_convergence, add_varied_and_constraints, ended_line, optimum_document, varied_table,
 };
 pub use text::{iteration_line, optima_document};
-pub(super) use windows::window_end;

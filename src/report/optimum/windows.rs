@@ -26,32 +26,25 @@ pub(super) fn window_lines(
     [windows].into_iter().chain(club).collect()
 }
 
-/// A window in words, such as "club.loft 5.36° to 6.94°".
+/// A window in words, such as "club.loft 5.36° to 6.94°". An end that is not due to the loss has its
+/// reason: "5.00° (bound)".
 fn window_text(vary: &Vary, window: &Window, system: System) -> String {
+    let end = |value: f64, limit: &WindowLimit| {
+        let value = shown::parameter(vary.parameter, value, system);
+        match limit {
+            WindowLimit::Loss => value,
+            WindowLimit::Constraint(constraint) => {
+                format!("{value} ({})", shown::constraint(constraint, system))
+            }
+            other => format!("{value} ({})", other.name()),
+        }
+    };
     format!(
         "{} {} to {}",
         vary.parameter.name,
-        window_end(vary, window.low, &window.low_limit, system),
-        window_end(vary, window.high, &window.high_limit, system)
+        end(window.low, &window.low_limit),
+        end(window.high, &window.high_limit)
     )
-}
-
-/// An end of a window, such as "5.36°". If the end is not due to the loss, the text has the reason:
-/// "5.00° (bound)".
-pub(in crate::report) fn window_end(
-    vary: &Vary,
-    value: f64,
-    limit: &WindowLimit,
-    system: System,
-) -> String {
-    let value = shown::parameter(vary.parameter, value, system);
-    match limit {
-        WindowLimit::Loss => value,
-        WindowLimit::Constraint(constraint) => {
-            format!("{value} ({})", shown::constraint(constraint, system))
-        }
-        other => format!("{value} ({})", other.name()),
-    }
 }
 
 /// The gain of the club in words, as a signed change of the objective, such as "by the club alone:

@@ -250,7 +250,7 @@ fn main(findings: &Findings, plots: &Plots) -> Result<Markup> {
         section {
             @if let Some(best) = findings.best() {
                 h2 { "The optimum" }
-                (sections::optimum(best, findings.flatness.as_ref()))
+                (sections::optimum(findings, best)?)
                 h3 { "Launch and flight" }
             } @else {
                 h2 { "Launch and flight" }
@@ -264,7 +264,7 @@ fn main(findings: &Findings, plots: &Plots) -> Result<Markup> {
             details {
                 summary { h2 { "How exact the derivatives are, at the drive as set up" } }
                 (pictures(&plots.curves)?)
-                (sections::verdicts(&findings.rows))
+                (sections::verdicts(&findings.rows)?)
             }
         }
         details { summary { h2 { "The setup" } } (sections::setup(findings)?) }

@@ -5,18 +5,18 @@ use super::numbers::outcome;
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::parameters::{METHOD, is_of_strike};
-use crate::report::certificate::exact_for_display;
+use crate::report::certificate::add_derivatives;
+use crate::report::document::{Document, content};
 use crate::report::frame::{both, chosen, scrolled};
 use crate::report::in_both::InBoth;
-use crate::report::limits::{Objective, ended_at};
-use crate::report::optimum::{bound_in_words, window_end};
+use crate::report::optimum::add_varied_and_constraints;
 use crate::report::presets::{SourcedValue, sources};
 use crate::report::sensitivity::STATED;
 use crate::report::shown::{self, capital};
 use crate::study::certificate::DerivativeRow;
-use crate::study::{Effects, Flatness, NamedDrive, Optimum, Vary, Window, WindowLimit};
-use crate::units::{counted, significant, typeset};
-use maud::{Markup, Render, html};
+use crate::study::{Effects, NamedDrive, Optimum, OptimumWindows};
+use crate::units::{counted, typeset};
+use maud::{Markup, html};
 
 /// The numbers of a launch monitor, for the drive as set up.
 pub(super) fn panel(findings: &Findings) -> Markup {
@@ -72,81 +72,26 @@ pub(super) fn outcomes(flown: &[NamedDrive]) -> Markup {
     }
 }
 
-/// The optimum as two tables: the varied parameters with their bounds and windows, and the
-/// constraints.
-pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
-    let (search, solution) = (&best.search, &best.solution);
-    let of = search.outcome();
-    let ended = ended_at(solution.status, "optimum");
-    html! {
-        p { (capital(search.sense.adjective())) " " (shown::words(of.name())) ": " strong { (outcome(of, best.value())) } "." }
-        (scrolled("The optimum", html! { table.stacked {
-            thead { tr {
-                th { "varied" } th.number { (ended) } th.number { "from" } th.number { "to" } th { "bound" }
-                @if let Some(flatness) = flatness { th { (window_head(of, flatness)) } }
-            } }
-            tbody {
-                @for (i, vary) in search.vary.iter().enumerate() {
-                    tr {
-                        td { (shown::words(vary.parameter.name)) }
-                        td.number { (label(ended)) (both(|system| shown::within(vary, solution.x[i], system))) }
-                        td.number { (label("from")) (both(|system| shown::ends(vary, system)[0].clone())) }
-                        td.number { (label("to")) (both(|system| shown::ends(vary, system)[1].clone())) }
-                        td.words { (label("bound")) (both(|system| bound_in_words(best, i, system))) }
-                        @if let Some(flatness) = flatness {
-                            td.words { (label(window_head(of, flatness))) (window(vary, &flatness.windows[i])) }
-                        }
-                    }
-                }
-            }
-        } }))
-        (limits(best))
-    }
-}
-
-/// The head of a column, for one cell. A narrow page shows it in each cell of the column.
-fn label(head: impl Render) -> Markup {
-    html! { span.label { (head) } }
-}
-
-/// The head of the column that has the windows. It states the allowed loss.
-fn window_head(of: Outcome, flatness: &Flatness) -> Markup {
-    let loss = both(|system| shown::difference(of, flatness.loss, system));
-    html! { "alone, for a loss of " (loss) }
-}
-
-/// The window of a parameter. An end that is not due to the loss has its reason in parentheses.
-fn window(vary: &Vary, window: &Window) -> Markup {
-    let end =
-        |value: f64, limit: &WindowLimit| both(|system| window_end(vary, value, limit, system));
-    html! {
-        span { (end(window.low, &window.low_limit)) " … " (end(window.high, &window.high_limit)) }
-    }
-}
-
-fn limits(best: &Optimum) -> Markup {
-    let objective = Objective::at(best);
-    let all = best.constraints();
-    if all.is_empty() {
-        return html! {};
-    }
-    html! {
-        (scrolled("Constraints", html! { table.stacked {
-            thead { tr { th { "subject to" } th.number { "value" } th { "price" } } }
-            tbody {
-                @for limit in &all {
-                    tr {
-                        td { (both(|system| shown::constraint(limit.constraint, system))) }
-                        td.number {
-                            (label("value"))
-                            (both(|system| shown::goal(&limit.constraint.goal, limit.at.value, system)))
-                        }
-                        td.words { (label("price")) (both(|system| objective.limit(limit, system))) }
-                    }
-                }
-            }
-        } }))
-    }
+/// The optimum: its value, the varied parameters with remarks on their windows, and the constraints.
+///
+/// # Errors
+/// The errors of [`content`].
+pub(super) fn optimum(findings: &Findings, best: &Optimum) -> Result<Markup> {
+    let around = findings.flatness.as_ref().map(|flatness| OptimumWindows {
+        loss: flatness.loss,
+        windows: &flatness.windows,
+        club_alone: findings.club_alone.as_ref(),
+    });
+    let of = best.search.outcome();
+    let tables = InBoth::of(|system| {
+        let mut document = Document::new("The optimum");
+        add_varied_and_constraints(&mut document, best, around.as_ref(), system);
+        document.map_texts(shown::spoken)
+    });
+    Ok(html! {
+        p { (capital(best.search.sense.adjective())) " " (shown::words(of.name())) ": " strong { (outcome(of, best.value())) } "." }
+        (content(&tables, true)?)
+    })
 }
 
 /// A table of the standard uncertainties in the tornado plots, with their sources.
@@ -171,31 +116,14 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     }
 }
 
-/// Table of the exact derivatives and the best numerical derivatives.
-pub(super) fn verdicts(rows: &[DerivativeRow]) -> Markup {
-    const EXACT: &str = "exact, SI";
-    const NUMERICAL: &str = "numerical, extrapolated";
-    html! {
-        (scrolled("Derivatives", html! { table.stacked {
-            thead { tr {
-                th { "derivative" } th.number { (EXACT) } th.number { (NUMERICAL) } th.number { "difference" } th { "verdict" }
-            } }
-            tbody {
-                @for row in rows {
-                    tr {
-                        td { "d " (row.of.name()) "/d " (row.parameter.name) }
-                        td.number { (label(EXACT)) (typeset(&significant(exact_for_display(row), 10))) }
-                        td.number {
-                            (label(NUMERICAL))
-                            (row.first.best_difference.map_or(shown::NONE.into(), |found| typeset(&significant(found.value, 10))))
-                        }
-                        td.number { (label("difference")) (typeset(&format!("{:.1e}", row.first.error))) }
-                        td { (label("verdict")) (row.verdict().name()) }
-                    }
-                }
-            }
-        } }))
-    }
+/// The derivatives and their verdicts.
+///
+/// # Errors
+/// The errors of [`content`].
+pub(super) fn verdicts(rows: &[DerivativeRow]) -> Result<Markup> {
+    let mut document = Document::new("Derivatives");
+    add_derivatives(&mut document, rows);
+    content(&InBoth::of(|_| document.clone()), true)
 }
 
 /// Every number of the setup, with its source.
