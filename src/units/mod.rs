@@ -15,6 +15,7 @@ mod message;
 mod spelling;
 mod symbols;
 mod system;
+mod table_units;
 
 pub(crate) use amount::Amount;
 pub use decimals::{counted, counted_of};
@@ -29,7 +30,8 @@ pub use spelling::{one, per, printed, ratio, typeset};
 #[cfg(feature = "studies")]
 pub(crate) use symbols::DEGREE;
 pub(crate) use symbols::{MPH, RPM, YARD};
-pub use system::{System, TableUnits};
+pub use system::System;
+pub use table_units::TableUnits;
 
 use expression::read_unit;
 use symbols::{Dimension, SYMBOLS};
