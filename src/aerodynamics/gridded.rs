@@ -3,7 +3,7 @@
 
 use super::{Coefficients, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
-use crate::parameters::{CoefficientGrid, LawTableAxis};
+use crate::parameters::{CoefficientGrid, DRAG_START, LIFT_START, LawTableAxis, bicubic};
 
 /// C_D and C_L of a grid, multiplied by `cd_factor` and `cl_factor`. Beyond the edges of the grid,
 /// speed and spin are clamped. `lift_onset` has a limit x₁ of the spin or spin ratio x. For x < x₁
@@ -18,19 +18,10 @@ pub(super) fn grid_coefficients<T: Numbers>(
         let speed = coordinate(&grid.speed, &stream);
         let spin = coordinate(&grid.spin, &stream);
         let c = speed.gather(spin, inlined!(|speed, spin| grid.surface.cell(speed, spin)));
-        // u and w: speed and spin within the cell, for a bicubic polynomial by Horner's scheme
+        // u and w: speed and spin within the cell,
         let (u, w) = ((speed - c[0]) * c[1], (spin - c[2]) * c[3]);
-        let (mut drag, mut lift) = (T::zero(), T::zero());
-        let mut power = 4;
-        while power > 0 {
-            power -= 1;
-            let (d, l) = (4 + 4 * power, 20 + 4 * power);
-            let along = w.mul_add(w.mul_add(w.mul_add(c[d + 3], c[d + 2]), c[d + 1]), c[d]);
-            drag = drag.mul_add(u, along);
-            let along = w.mul_add(w.mul_add(w.mul_add(c[l + 3], c[l + 2]), c[l + 1]), c[l]);
-            lift = lift.mul_add(u, along);
-        }
-        let mut lift = cl_factor * lift;
+        let drag = bicubic(&c, DRAG_START, u, w);
+        let mut lift = cl_factor * bicubic(&c, LIFT_START, u, w);
         if let Some((variable, per_least)) = grid.lift_onset {
             let part = stream.value(variable) * per_least;
             let short = T::constant(1.0) - part.select(T::constant(1.0), part.below(1.0));

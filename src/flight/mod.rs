@@ -24,7 +24,8 @@ use crate::parameters::Setup;
 use std::sync::atomic::AtomicBool;
 use step::StepObserver;
 
-/// Flies the ball from launch to landing (docs/model.md, eqs. 12–18). Allocates no heap memory.
+/// Flies the ball from launch to landing (docs/model.md, eqs. 12–18). Allocates no heap memory,
+/// except for the splines of a law in the first flight with this law.
 ///
 /// # Errors
 /// [`Error::Diverged`](crate::Error::Diverged) if drag and lift change the airspeed too much within

@@ -37,7 +37,7 @@ pub use file::SetupFile;
 pub(crate) use file::{in_file, place_in};
 pub use idle::idle_warnings;
 pub use launch::is_of_strike;
-pub(crate) use law_table::{Cell, CoefficientGrid, Surface, cells_of};
+pub(crate) use law_table::{CoefficientGrid, DRAG_START, LIFT_START, Surface, bicubic, cells};
 pub use law_table::{LawTable, LawTableAxis, LawVariable, TABLE, TABLE_LAW};
 #[cfg(feature = "studies")]
 pub(crate) use number_table::{NumberTable, TableFault};

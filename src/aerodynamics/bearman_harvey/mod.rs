@@ -4,7 +4,7 @@ use super::gridded::grid_coefficients;
 use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, RangeEnd, Stream};
 use crate::number::Numbers;
 use crate::parameters::{
-    BearmanHarvey, Cell, CoefficientGrid, LawTableAxis, LawVariable, Surface, cells_of,
+    BearmanHarvey, CoefficientGrid, LawTableAxis, LawVariable, Surface, cells,
 };
 use crate::units::RPM;
 use grid::{DRAG, LIFT, SPEEDS, SPINS};
@@ -21,7 +21,6 @@ const SPIN_OVER: f64 = 100.0;
 const MEASURED: [f64; 2] = [13.7, 80.2];
 
 const ROWS: usize = DRAG.len();
-const COLUMNS: usize = SPEEDS.len();
 
 /// Spins of the rows, rad/s.
 static SPIN_OF_ROW: LazyLock<[f64; ROWS]> = LazyLock::new(|| {
@@ -29,14 +28,11 @@ static SPIN_OF_ROW: LazyLock<[f64; ROWS]> = LazyLock::new(|| {
     std::array::from_fn(|row| least + (most - least) / (ROWS - 1) as f64 * row as f64)
 });
 
-static CELLS: LazyLock<[Cell; (ROWS - 1) * (COLUMNS - 1)]> = LazyLock::new(|| {
-    let tables = [&DRAG, &LIFT].map(|table| table.as_flattened());
-    cells_of::<{ ROWS * COLUMNS }, _>(&SPEEDS, SPIN_OF_ROW.as_slice(), tables)
-});
-
 static GRID: LazyLock<CoefficientGrid> = LazyLock::new(|| {
     let [least, most] = SPINS.map(|rpm| rpm * RPM);
     let [slowest, .., fastest] = SPEEDS;
+    let tables = [&DRAG, &LIFT].map(|table| table.as_flattened());
+    let cells = cells(&SPEEDS, SPIN_OF_ROW.as_slice(), tables);
     CoefficientGrid {
         spin: Some(LawTableAxis {
             variable: LawVariable::Spin,
@@ -49,7 +45,7 @@ static GRID: LazyLock<CoefficientGrid> = LazyLock::new(|| {
             over: SPEED_OVER,
         }),
         lift_onset: Some((LawVariable::Spin, 1.0 / least)),
-        surface: Surface::new(&SPEEDS, SPIN_OF_ROW.as_slice(), CELLS.as_slice()),
+        surface: Surface::new(&SPEEDS, SPIN_OF_ROW.as_slice(), cells.leak()),
     }
 });
 

@@ -4,7 +4,7 @@
 use super::super::number_table::TableFault;
 use super::grid::{CoefficientGrid, LawTableAxis, LawVariable};
 use super::read::{GridNode, GridNodes};
-use super::surface::{Cell, Surface, intervals, stored_cells};
+use super::surface::{Cell, DRAG_START, LIFT_START, Surface, bicubic, cells, intervals};
 
 /// Spin ratio below which the lift falls smoothly to 0, if the table has no axis of spin or spin
 /// ratio. Usual drives have larger spin ratios: 0.08 at 72 m/s and 2500 rpm.
@@ -63,7 +63,7 @@ pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, TableFault> {
         None => Some((LawVariable::SpinRatio, 1.0 / FULL_LIFT)),
     };
     let counts = [speeds.len(), spins.len()];
-    let cells = stored_cells(&speeds, &spins, [&drag, &lift]);
+    let cells = cells(&speeds, &spins, [&drag, &lift]);
     check_between_nodes(&cells, counts, nodes)?;
     // leaked only after all checks, so that a refused table leaks no memory
     let surface = Surface::new(speeds.leak(), spins.leak(), cells.leak());
@@ -185,13 +185,16 @@ fn check_between_nodes(
             ));
         }
         // most cells need no samples: the constant term is larger than all other terms together
-        let variation: f64 = cell[5..20].iter().map(|number| number.abs()).sum();
-        if cell[4] > LARGEST_POWER * variation {
+        let variation: f64 = cell[DRAG_START + 1..LIFT_START]
+            .iter()
+            .map(|number| number.abs())
+            .sum();
+        if cell[DRAG_START] > LARGEST_POWER * variation {
             continue;
         }
         for u in samples(i % wide, columns, -cell[0] * cell[1]) {
             for w in samples(i / wide, rows, -cell[2] * cell[3]) {
-                let found = drag(cell, u, w);
+                let found = bicubic(cell, DRAG_START, u, w);
                 if found < -1e-12 {
                     return Err(negative_drag(cell, [u, w], found, nodes));
                 }
@@ -238,16 +241,6 @@ fn negative_drag(cell: &Cell, [u, w]: [f64; 2], drag: f64, nodes: &GridNodes) ->
          nodes there",
         place(nodes, speed, spin)
     ))
-}
-
-/// C_D at (u, w) in a cell.
-fn drag(cell: &Cell, u: f64, w: f64) -> f64 {
-    let along = |power: usize| {
-        (0..4)
-            .rev()
-            .fold(0.0, |sum, k| sum * w + cell[4 + 4 * power + k])
-    };
-    (0..4).rev().fold(0.0, |sum, power| sum * u + along(power))
 }
 
 /// A node as text: "spin_ratio 0.1, reynolds 150000".

@@ -7,7 +7,7 @@ mod surface;
 
 pub(crate) use grid::CoefficientGrid;
 pub use grid::{LawTableAxis, LawVariable};
-pub(crate) use surface::{Cell, Surface, cells_of};
+pub(crate) use surface::{DRAG_START, LIFT_START, Surface, bicubic, cells};
 
 use super::number_table::TableFault;
 use crate::error::{Error, Result};

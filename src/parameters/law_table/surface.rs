@@ -1,9 +1,16 @@
 //! Natural bicubic splines through a grid of numbers. The surface is C² in both directions.
 
+use crate::number::Numbers;
+
 /// A cell of the grid: x, 1/width, y and 1/height, with the corner (x, y), then 16 coefficients for
 /// each of the two surfaces. Coefficient 4i + j multiplies uⁱ wʲ, where u and w are the coordinates
 /// in the cell along x and y, from 0 to 1.
 pub(crate) type Cell = [f64; 36];
+
+/// Index of the first coefficient of the first surface, C_D, in a cell.
+pub(crate) const DRAG_START: usize = 4;
+/// Index of the first coefficient of the second surface, C_L, in a cell.
+pub(crate) const LIFT_START: usize = 20;
 
 /// Two surfaces over one grid, such as drag and lift, with two numbers at each node. The numbers
 /// are static: an evaluation allocates no memory.
@@ -26,8 +33,8 @@ struct Knots {
 }
 
 impl Surface {
-    /// The surfaces with the cells of [`cells_of`] or [`stored_cells`]. `x` and `y` are the
-    /// coordinates of the grid lines, in ascending order.
+    /// The surfaces with these [`cells`]. `x` and `y` are the coordinates of the grid lines, in
+    /// ascending order.
     pub fn new(x: &'static [f64], y: &'static [f64], cells: &'static [Cell]) -> Self {
         Self {
             x: Knots::new(x),
@@ -40,34 +47,6 @@ impl Surface {
     pub fn cell(&self, x: f64, y: f64) -> &'static Cell {
         &self.cells[self.y.interval(y) * (self.x.last + 1) + self.x.interval(x)]
     }
-}
-
-/// The cells of the surfaces through the values of two tables. `x` and `y` are the coordinates of
-/// the grid lines, in ascending order; `tables` lists the values row by row. If `x` or `y` has a
-/// single coordinate, the surfaces are constant in that direction.
-pub(super) fn stored_cells(x: &[f64], y: &[f64], tables: [&[f64]; 2]) -> Vec<Cell> {
-    let mut cells = vec![[0.0; 36]; intervals(x.len()) * intervals(y.len())];
-    let mut work = [(); 4].map(|()| vec![0.0; tables[0].len()]);
-    let work = work.each_mut().map(Vec::as_mut_slice);
-    fill(x, y, tables, work, &mut cells);
-    cells
-}
-
-/// Like [`stored_cells`], for two tables of N numbers and without heap memory.
-pub(crate) fn cells_of<const N: usize, const CELLS: usize>(
-    x: &[f64],
-    y: &[f64],
-    tables: [&[f64]; 2],
-) -> [Cell; CELLS] {
-    let (mut cells, mut work) = ([[0.0; 36]; CELLS], [[0.0; N]; 4]);
-    fill(
-        x,
-        y,
-        tables,
-        work.each_mut().map(|work| work.as_mut_slice()),
-        &mut cells,
-    );
-    cells
 }
 
 /// Largest number of inner knots for a linear search, which has no branches. More inner knots are
@@ -124,19 +103,23 @@ fn interval(knots: &[f64], i: usize) -> (f64, f64) {
     )
 }
 
-/// Writes the cells of the surfaces through two tables. Each slice of `work` has the length of a
-/// table.
-fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells: &mut [Cell]) {
+/// The cells of the surfaces through the values of two tables. `x` and `y` are the coordinates of
+/// the grid lines, in ascending order; `tables` lists the values row by row. If `x` or `y` has a
+/// single coordinate, the surfaces are constant in that direction.
+pub(crate) fn cells(x: &[f64], y: &[f64], tables: [&[f64]; 2]) -> Vec<Cell> {
+    let mut cells = vec![[0.0; 36]; intervals(x.len()) * intervals(y.len())];
     let columns = x.len();
     // derivatives by x, by y, and by both; then working memory
-    let [by_x, by_y, by_xy, diagonal] = work;
-    for (which, table) in tables.into_iter().enumerate() {
+    let [mut by_x, mut by_y, mut by_xy, mut diagonal] =
+        [(); 4].map(|()| vec![0.0; tables[0].len()]);
+    for (first, table) in [DRAG_START, LIFT_START].into_iter().zip(tables) {
         for row in 0..y.len() {
-            slopes(x, table, by_x, diagonal, |i| row * columns + i);
+            slopes(x, table, &mut by_x, &mut diagonal, |i| row * columns + i);
         }
         for column in 0..columns {
-            slopes(y, table, by_y, diagonal, |i| i * columns + column);
-            slopes(y, by_x, by_xy, diagonal, |i| i * columns + column);
+            let place = |i: usize| i * columns + column;
+            slopes(y, table, &mut by_y, &mut diagonal, place);
+            slopes(y, &by_x, &mut by_xy, &mut diagonal, place);
         }
         for (place, cell) in cells.iter_mut().enumerate() {
             let (row, column) = (place / intervals(x.len()), place % intervals(x.len()));
@@ -159,19 +142,38 @@ fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells:
                 )
             };
             let rows = ends(row, y.len());
-            let values = rows.map(|row| along(table, by_x, row));
-            let slopes = rows.map(|row| along(by_y, by_xy, row));
+            let values = rows.map(|row| along(table, &by_x, row));
+            let slopes = rows.map(|row| along(&by_y, &by_xy, row));
             [cell[0], cell[1], cell[2], cell[3]] = [corner, 1.0 / wide, low, 1.0 / high];
             for power in 0..4 {
-                let first = 4 + 16 * which + 4 * power;
+                let start = first + 4 * power;
                 let found = cubic(
                     values.map(|v| v[power]),
                     slopes.map(|s| scaled(s[power], high)),
                 );
-                cell[first..first + 4].copy_from_slice(&found);
+                cell[start..start + 4].copy_from_slice(&found);
             }
         }
     }
+    cells
+}
+
+/// The bicubic polynomial at (u, w), by Horner's scheme. Its coefficients begin at index `first` of
+/// a cell: [`DRAG_START`] or [`LIFT_START`].
+#[inline(always)]
+pub(crate) fn bicubic<T: Numbers>(cell: &[T; 36], first: usize, u: T, w: T) -> T {
+    let mut sum = T::zero();
+    let mut power = 4;
+    while power > 0 {
+        power -= 1;
+        let i = first + 4 * power;
+        let along = w.mul_add(
+            w.mul_add(w.mul_add(cell[i + 3], cell[i + 2]), cell[i + 1]),
+            cell[i],
+        );
+        sum = sum.mul_add(u, along);
+    }
+    sum
 }
 
 /// Coefficients, by ascending powers, of the cubic that has these values and slopes at 0 and 1.
@@ -229,7 +231,7 @@ fn slopes(
 
 #[cfg(test)]
 mod tests {
-    use super::{Surface, slopes, stored_cells};
+    use super::{DRAG_START, Surface, bicubic, cells, slopes};
 
     #[test]
     fn exact_slopes_of_a_line_and_of_a_spline_by_hand() {
@@ -259,17 +261,12 @@ mod tests {
                 .iter()
                 .flat_map(|y| x.iter().map(|x| plane(*x, *y)).collect::<Vec<_>>())
                 .collect();
-            let cells = stored_cells(&x, &y, [&table, &table]);
+            let cells = cells(&x, &y, [&table, &table]);
             let surface = Surface::new(x.leak(), y.clone().leak(), cells.leak());
             for (x, at) in [(0.25, 0.4), (3.9, 2.2), (2.0, 0.5)] {
                 let cell = surface.cell(x, at);
                 let (u, w) = ((x - cell[0]) * cell[1], (at - cell[2]) * cell[3]);
-                let along = |power: usize| {
-                    (0..4)
-                        .rev()
-                        .fold(0.0, |sum, k| sum * w + cell[4 + 4 * power + k])
-                };
-                let found = (0..4).rev().fold(0.0, |sum, power| sum * u + along(power));
+                let found = bicubic(cell, DRAG_START, u, w);
                 let expected = plane(x, if y.len() > 1 { at } else { 0.5 });
                 assert!(
                     (found - expected).abs() < 1e-13,
