@@ -103,30 +103,30 @@ fn run(
     options: &Options,
     observer: Observer,
 ) -> Result<Solution> {
-    let solver = Sqp {
+    let mut solver = Sqp {
         domain: domain.clone(),
         options: options.clone(),
         interrupt: observer.interrupt.clone(),
         has_models: observer.models,
         progress: SearchProgress::default(),
     };
-    let fresh = SqpState::new()
+    let mut state = SqpState::new()
         .param(start.to_vec())
         .max_iters(options.max_iterations);
-    let checkpoint = SnapshotIo {
-        save: observer.save.map(RefCell::new),
-        resumed: observer.resume.map(|snapshot| {
-            let mut state = fresh.clone();
-            state.iter = snapshot.iterations;
-            (resumed(&solver, snapshot), state)
-        }),
-    };
+    if let Some(snapshot) = observer.resume {
+        // with a number above 0 the executor does not begin with `init`
+        state.iter = snapshot.iterations;
+        solver.progress = snapshot.progress;
+        if let Some(search) = &mut solver.progress.state {
+            search.scaling.domain = domain.clone();
+        }
+    }
     let mut executor = Executor::new(problem, solver)
-        .configure(|_| fresh)
+        .configure(|_| state)
         .add_observer(IterationObserver(observer.iteration), ObserverMode::Always)
         .timer(false);
-    if checkpoint.save.is_some() || checkpoint.resumed.is_some() {
-        executor = executor.checkpointing(checkpoint);
+    if let Some(save) = observer.save {
+        executor = executor.checkpointing(SnapshotSaver(RefCell::new(save)));
     }
     let result = executor.run().map_err(|error| {
         error
@@ -215,43 +215,25 @@ fn fix_at_kink(
     })
 }
 
-/// A copy of the solver that continues from a snapshot.
-fn resumed(solver: &Sqp, snapshot: Snapshot) -> Sqp {
-    let mut solver = Sqp {
-        progress: snapshot.progress,
-        ..solver.clone()
-    };
-    if let Some(search) = &mut solver.progress.state {
-        search.scaling.domain = solver.domain.clone();
-    }
-    solver
-}
+/// Connects the observer's `save` to argmin's checkpointing.
+struct SnapshotSaver(RefCell<Box<SaveSnapshot>>);
 
-/// Connects the observer's `save` and `resume` to argmin's checkpointing.
-struct SnapshotIo {
-    save: Option<RefCell<Box<SaveSnapshot>>>,
-    resumed: Option<(Sqp, SqpState)>,
-}
-
-impl Checkpoint<Sqp, SqpState> for SnapshotIo {
+impl Checkpoint<Sqp, SqpState> for SnapshotSaver {
     fn save(&self, solver: &Sqp, state: &SqpState) -> std::result::Result<(), argmin::core::Error> {
         // do not save an interrupted iteration: the resumed search repeats it
-        let Some(save) = self
-            .save
-            .as_ref()
-            .filter(|_| !solver.progress.is_interrupted_within)
-        else {
+        if solver.progress.is_interrupted_within {
             return Ok(());
-        };
+        }
         let snapshot = Snapshot {
             iterations: state.get_iter(),
             progress: solver.progress.clone(),
         };
-        (save.borrow_mut())(&snapshot).map_err(argmin::core::Error::new)
+        (self.0.borrow_mut())(&snapshot).map_err(argmin::core::Error::new)
     }
 
     fn load(&self) -> std::result::Result<Option<(Sqp, SqpState)>, argmin::core::Error> {
-        Ok(self.resumed.clone())
+        // `run` resumes a search itself
+        Ok(None)
     }
 
     fn frequency(&self) -> CheckpointingFrequency {
