@@ -270,14 +270,14 @@ impl StandardForm {
 
     /// Matrix A and limits b of A x + s = b.
     fn constraints(&self) -> (CscMatrix<f64>, Vec<f64>) {
-        let mut triplets = Triplets::default();
+        let mut entries = vec![];
         for (at, row) in self.rows().enumerate() {
             for (column, value) in &row.coefficients {
-                triplets.push(at, *column, *value);
+                entries.push((at, *column, *value));
             }
         }
         let limits: Vec<f64> = self.rows().map(|row| row.limit).collect();
-        (triplets.matrix(limits.len(), self.size), limits)
+        (sparse(limits.len(), self.size, &entries), limits)
     }
 
     /// Converts Clarabel's solution x and multipliers z to a step within the bounds.
@@ -307,31 +307,23 @@ impl StandardForm {
 
 /// Upper triangle of the scaled Hessian, with a full sparsity pattern.
 fn upper_triangle(program: &QuadraticProgram, size: usize, scale: f64) -> CscMatrix<f64> {
-    let mut triplets = Triplets::default();
+    let mut entries = vec![];
     for column in 0..program.dimension() {
         for row in 0..=column {
-            triplets.push(row, column, program.hessian[(row, column)] * scale);
+            entries.push((row, column, program.hessian[(row, column)] * scale));
         }
     }
-    triplets.matrix(size, size)
+    sparse(size, size, &entries)
 }
 
-/// Entries of a sparse matrix, also those that are 0: they belong to its sparsity pattern.
-#[derive(Default)]
-struct Triplets {
-    rows: Vec<usize>,
-    columns: Vec<usize>,
-    values: Vec<f64>,
-}
-
-impl Triplets {
-    fn push(&mut self, row: usize, column: usize, value: f64) {
-        self.rows.push(row);
-        self.columns.push(column);
-        self.values.push(value);
-    }
-
-    fn matrix(self, rows: usize, columns: usize) -> CscMatrix<f64> {
-        CscMatrix::new_from_triplets(rows, columns, self.rows, self.columns, self.values)
-    }
+/// Sparse matrix of these entries, as (row, column, value). Entries that are 0 belong to its
+/// sparsity pattern too.
+fn sparse(rows: usize, columns: usize, entries: &[(usize, usize, f64)]) -> CscMatrix<f64> {
+    CscMatrix::new_from_triplets(
+        rows,
+        columns,
+        entries.iter().map(|entry| entry.0).collect(),
+        entries.iter().map(|entry| entry.1).collect(),
+        entries.iter().map(|entry| entry.2).collect(),
+    )
 }
