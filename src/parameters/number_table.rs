@@ -45,7 +45,10 @@ pub(crate) struct NumberTable<'a> {
     /// Number of lines above the text of `reader`.
     skipped: u64,
     pub heads: StringRecord,
-    marks: DecimalMarks,
+    /// Cell separator.
+    separator: u8,
+    /// The first cell with a decimal mark: a point, or a comma if a comma does not separate cells.
+    first_mark: Option<String>,
     /// A column head with its unit, for messages: `speed [m/s]`.
     example: &'static str,
 }
@@ -71,10 +74,8 @@ impl<'a> NumberTable<'a> {
             reader,
             skipped: text[..text.len() - rest.len()].matches('\n').count() as u64,
             heads: StringRecord::new(),
-            marks: DecimalMarks {
-                separator,
-                first: None,
-            },
+            separator,
+            first_mark: None,
             example,
         };
         table.heads = match table.reader.headers() {
@@ -103,7 +104,7 @@ impl<'a> NumberTable<'a> {
 
     /// The number of a row in the column with the index `column`.
     pub fn number(&mut self, row: &NumberRow, column: usize) -> Result<f64, TableFault> {
-        let number = self.marks.number(&row.cells[column], self.example);
+        let number = self.parse(&row.cells[column]);
         number.map_err(|reason| TableFault::in_cell(row.line, &self.heads[column], reason))
     }
 
@@ -115,44 +116,34 @@ impl<'a> NumberTable<'a> {
         let reason = csv_row_error_text(error, self.text.as_bytes());
         TableFault::at_line(self.line(error.position()), reason)
     }
-}
 
-/// Decimal marks of a table: points, or commas if a comma does not separate cells. A table with
-/// both marks is refused, because one of them may separate thousands.
-struct DecimalMarks {
-    /// Cell separator.
-    separator: u8,
-    /// The first cell with a mark.
-    first: Option<String>,
-}
-
-impl DecimalMarks {
-    /// Parses a number. `example` is a column head with its unit, for messages.
-    fn number(&mut self, cell: &str, example: &str) -> Result<f64, String> {
+    fn parse(&mut self, cell: &str) -> Result<f64, String> {
         if cell.is_empty() {
             return Err("the cell is empty; every row needs a value".into());
         }
         let mut plain = cell.replace('\u{2212}', "-");
         if self.separator != b',' {
-            self.check(cell)?;
+            self.check_mark(cell)?;
             plain = plain.replacen(',', ".", 1);
         }
         match plain.parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(number),
             Ok(_) => Err(format!("'{cell}' is not finite; give a number")),
             Err(_) => Err(format!(
-                "'{cell}' is not a number; a unit is written in the head, as in '{example}'"
+                "'{cell}' is not a number; a unit is written in the head, as in '{}'",
+                self.example
             )),
         }
     }
 
-    /// Refuses a cell whose decimal mark differs from the first mark in the table.
-    fn check(&mut self, cell: &str) -> Result<(), String> {
+    /// Refuses a cell whose decimal mark differs from the first mark in the table, because one of
+    /// the two marks may separate thousands.
+    fn check_mark(&mut self, cell: &str) -> Result<(), String> {
         let mark_of = |cell: &str| [',', '.'].into_iter().find(|mark| cell.contains(*mark));
         let Some(mark) = mark_of(cell) else {
             return Ok(());
         };
-        let first = self.first.get_or_insert_with(|| cell.into());
+        let first = self.first_mark.get_or_insert_with(|| cell.into());
         if mark_of(first) == Some(mark) {
             return Ok(());
         }
