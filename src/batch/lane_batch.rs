@@ -6,11 +6,9 @@ use crate::aerodynamics::{AerodynamicLaw, Fitted};
 use crate::drive::{
     ExceededLimits, Outcome, OutcomeGroup, OutcomeInputs, flat_landing_angle, is_outside_any_face,
 };
-use crate::flight::{Inputs, Landed, RequestedOutputs};
+use crate::flight::{Inputs, Landed};
 use crate::impact::{Head, LaunchState};
-use crate::number::{
-    Derivatives, Lanes, Mask, Number, OverNumbers, Task, in_lane, inlined, over_drives,
-};
+use crate::number::{Derivatives, Lanes, Mask, Number, OverNumbers, Task, inlined, over_drives};
 use crate::parameters::{Parameter, Setup};
 use std::sync::atomic::AtomicBool;
 
@@ -53,12 +51,13 @@ impl OverNumbers for LaneBatch<'_> {
     /// Computes impact and flight of the rows whose ball flies, and writes the results to the
     /// block. The rows are computed in groups, with one row per lane.
     #[inline(always)]
-    fn over<J: Lanes<Lane: Derivatives>>(&mut self, _per_lane: usize) {
+    fn over<J: Lanes>(&mut self) {
         let batch = self.batch;
-        let any = |is: fn(&Outcome) -> bool| batch.of.iter().any(is);
-        let apex = any(|outcome| outcome.needs_apex());
-        let has_run = any(|outcome| outcome.needs_run());
-        let has_head = any(|outcome| outcome.group() == OutcomeGroup::Head);
+        let outputs = Outcome::requested_outputs(&batch.of, true, Some(self.stop));
+        let has_head = batch
+            .of
+            .iter()
+            .any(|outcome| outcome.group() == OutcomeGroup::Head);
         let fitted = batch.setup.law.properties().fitted;
         // set the parameters that are not swept; `put_group` sets the swept parameters
         let mut setup = batch.setup.constant::<J>();
@@ -71,38 +70,23 @@ impl OverNumbers for LaneBatch<'_> {
         for group in self.flying.chunks(J::WIDTH) {
             self.put_group(&mut setup, group, &directions);
             let launched = LaunchState::new(&setup);
-            let inputs = Inputs::new(&setup, &launched.launch, has_run);
+            let inputs = Inputs::new(&setup, &launched.launch);
             let stream = inputs.launch_stream().variables();
             let head = (has_head && launched.club_speed.is_some())
                 .then(|| J::not_inlined(|| Head::new(&setup.club)));
-            let flight_result = inputs.integrate(
-                J::Mask::first(group.len()),
-                RequestedOutputs {
-                    apex,
-                    defect: true,
-                    stop: Some(self.stop),
-                },
-                None,
-            );
+            let flight_result = inputs.integrate(J::Mask::first(group.len()), outputs, None);
             let flown = FlownLanes {
                 setup: &setup,
                 launched: &launched,
                 stream,
-                head: head.as_ref(),
+                head,
                 landed: &flight_result.landed,
             };
             for (lane, &FlyingRow { row, .. }) in group.iter().enumerate() {
-                if !flight_result.has_landed.holds(lane) {
+                if flight_result.has_landed.holds(lane) {
+                    self.write_row(row, &flown, lane, &fitted);
+                } else {
                     self.scalar_rows.push(row);
-                    continue;
-                }
-                let value = inlined!(|number: J| number.lane(lane).re());
-                self.block.status[row] = Status::Landed;
-                self.block.defect[row] = flight_result.landed.defect.map_or(0.0, value);
-                self.block.exceeded[row] = flown.exceeded_limits(lane, &fitted, has_run);
-                let drive = flown.outcome_inputs(lane);
-                for (i, outcome) in batch.of.iter().enumerate() {
-                    self.write(row, i, outcome.evaluate(&drive));
                 }
             }
         }
@@ -214,6 +198,37 @@ impl LaneBatch<'_> {
         );
     }
 
+    /// Writes the results of a drive that landed: those of a lane of `flown`. An outcome without a
+    /// value stays missing. `fitted` has the ranges of the law.
+    #[inline(always)]
+    fn write_row<J: Lanes>(
+        &mut self,
+        row: usize,
+        flown: &FlownLanes<'_, J>,
+        lane: usize,
+        fitted: &Fitted,
+    ) {
+        let in_lane = inlined!(|number: J| number.lane(lane));
+        let launch = flown.launched.launch.map(in_lane);
+        let landed = flown.landed.map(in_lane);
+        let head = flown
+            .head
+            .as_ref()
+            .map(inlined!(|head: &Head<J>| head.map(in_lane)));
+        let drive = OutcomeInputs {
+            launch: &launch,
+            club_speed: flown.launched.club_speed.map(in_lane),
+            landed: Some(&landed),
+            head: head.as_ref(),
+        };
+        self.block.status[row] = Status::Landed;
+        self.block.defect[row] = landed.defect.map_or(0.0, Number::re);
+        self.block.exceeded[row] = flown.exceeded_limits(lane, &landed, fitted);
+        for (i, outcome) in self.batch.of.iter().enumerate() {
+            self.write(row, i, outcome.evaluate(&drive));
+        }
+    }
+
     /// Writes an outcome and its derivatives; `None` leaves both missing.
     fn write<L: Derivatives>(&mut self, row: usize, outcome: usize, found: Option<L>) {
         let Some(number) = found else { return };
@@ -231,27 +246,24 @@ struct FlownLanes<'a, J: Lanes> {
     launched: &'a LaunchState<J>,
     /// Spin ratio, spin, Reynolds number and airspeed at launch.
     stream: [J; 4],
-    head: Option<&'a Head<J>>,
+    /// The head, if there is a club and if an outcome of the head is requested.
+    head: Option<Head<J>>,
     landed: &'a Landed<J>,
 }
 
-impl<J: Lanes<Lane: Derivatives>> FlownLanes<'_, J> {
+impl<J: Lanes> FlownLanes<'_, J> {
+    /// Validity limits that the drive of a lane with this landing exceeds.
     #[inline(always)]
-    fn outcome_inputs(&self, lane: usize) -> OutcomeInputs<'_, J, impl Fn(J) -> J::Lane + Copy> {
-        OutcomeInputs {
-            launch: &self.launched.launch,
-            club_speed: self.launched.club_speed,
-            landed: Some(self.landed),
-            head: self.head,
-            read: in_lane(lane),
-        }
-    }
-
-    #[inline(always)]
-    fn exceeded_limits(&self, lane: usize, fitted: &Fitted, has_run: bool) -> ExceededLimits {
+    fn exceeded_limits(
+        &self,
+        lane: usize,
+        landed: &Landed<J::Lane>,
+        fitted: &Fitted,
+    ) -> ExceededLimits {
         let value = inlined!(|number: J| number.lane(lane).re());
         let (strike, ground) = (&self.setup.strike, &self.setup.ground);
         let [spin_ratio, spin, reynolds, air_speed] = self.stream;
+        let slopes = [value(ground.slope), value(ground.side_slope)];
         ExceededLimits {
             law: !fitted.contains([
                 value(spin_ratio),
@@ -261,12 +273,8 @@ impl<J: Lanes<Lane: Derivatives>> FlownLanes<'_, J> {
             ]),
             face: self.launched.club_speed.is_some()
                 && is_outside_any_face(value(strike.toe), value(strike.high)),
-            flat: has_run
-                && flat_landing_angle(
-                    [value(ground.slope), value(ground.side_slope)],
-                    &self.landed.map(value),
-                )
-                .is_some(),
+            // without a run there is no flat landing
+            flat: flat_landing_angle(slopes, landed).is_some(),
         }
     }
 }

@@ -77,7 +77,7 @@ pub(super) fn derivatives(
     let mut taylors = vec![zero(point, point.columns); point.of.len() + COMPONENTS];
     point.differentiate(Stage::Impact, &split.of_launch, &mut taylors, &|_, _| ())?;
     let launch = taylors.split_off(point.of.len());
-    if !point.flies {
+    if !point.flies() {
         progress(1, 1);
         return Ok(taylors);
     }

@@ -49,36 +49,32 @@ impl Directions<'_> {
         })
     }
 
-    /// Variables of one lane.
+    /// Variables of one lane of `J`.
     #[inline(always)]
-    pub fn in_lane(&self, lane: usize, per_lane: usize) -> &[usize] {
+    pub fn in_lane<J: Lanes>(&self, lane: usize) -> &[usize] {
         self.variables
-            .chunks(per_lane)
+            .chunks(J::DIRECTIONS.max(1))
             .nth(lane)
             .unwrap_or_default()
     }
 
-    /// Number of lanes with variables, at least one.
-    pub fn lanes(&self, per_lane: usize) -> usize {
-        self.variables.len().div_ceil(per_lane).max(1)
+    /// Number of lanes of `J` with variables, at least one.
+    pub fn lanes<J: Lanes>(&self) -> usize {
+        self.variables.len().div_ceil(J::DIRECTIONS.max(1)).max(1)
     }
 
     /// Calls `put` with each variable and a number. The number has the value of the variable, and
     /// the derivative 1 in each lane and direction of this variable. If several pairs contain a
     /// variable, `put` is called several times with this variable.
     #[inline(always)]
-    pub fn seeded<J: Lanes>(
-        &self,
-        per_lane: usize,
-        value: impl Fn(usize) -> f64,
-        mut put: impl FnMut(usize, J),
-    ) {
+    pub fn seeded<J: Lanes>(&self, value: impl Fn(usize) -> f64, mut put: impl FnMut(usize, J)) {
+        let per_lane = J::DIRECTIONS.max(1);
         for (at, &variable) in self.variables.iter().enumerate() {
             let own = at / per_lane;
             let changes_in = inlined!(|direction: usize| {
                 let mut lanes = J::Mask::none();
                 for lane in if self.are_pairs {
-                    0..self.lanes(per_lane)
+                    0..self.lanes::<J>()
                 } else {
                     own..own + 1
                 } {

@@ -2,7 +2,7 @@ use super::Taylor;
 use super::chain::{self, ParameterSplit};
 use super::directions::Entries;
 use super::pass::EvaluationPoint;
-use crate::drive::{Outcome, OutcomeGroup, with_accepted_step};
+use crate::drive::{Outcome, with_accepted_step};
 use crate::error::{Error, Result};
 use crate::number::Level;
 use crate::parameters::{Parameter, Setup};
@@ -165,7 +165,7 @@ impl Evaluator {
         if setup.club.inertia() != self.setup.club.inertia() {
             setup.club.check_inertia()?;
         }
-        self.unchecked(setup, values, order.min(self.order), stop, &|_, _| ())
+        self.with_accepted_step(setup, values, order.min(self.order), stop, &|_, _| ())
     }
 
     /// Outcomes at the setup's own values of the parameters. `progress` receives the number of
@@ -184,12 +184,12 @@ impl Evaluator {
             .iter()
             .map(|row| self.setup.value(row).unwrap_or(f64::NAN))
             .collect();
-        self.unchecked(self.setup, &values, self.order, stop, progress)
+        self.with_accepted_step(self.setup, &values, self.order, stop, progress)
     }
 
     /// Evaluates without checking the values of the parameters. The step is halved until the defect
     /// of the integration is accepted.
-    fn unchecked(
+    fn with_accepted_step(
         &self,
         mut setup: Setup<f64>,
         x: &[f64],
@@ -197,43 +197,24 @@ impl Evaluator {
         stop: Option<&AtomicBool>,
         progress: &dyn Fn(usize, usize),
     ) -> Result<Vec<Taylor>> {
-        with_accepted_step(&mut setup, self.largest_defect, |setup| {
-            self.with_step_of(setup, x, order, stop, progress)
-        })
-    }
-
-    /// Evaluates with the step of `setup`.
-    ///
-    /// # Errors
-    /// [`Error::LargeDefect`] if the defect of a drive exceeds the largest accepted defect.
-    fn with_step_of(
-        &self,
-        setup: &Setup<f64>,
-        x: &[f64],
-        order: Order,
-        stop: Option<&AtomicBool>,
-        progress: &dyn Fn(usize, usize),
-    ) -> Result<Vec<Taylor>> {
         let is_second = order == Order::Second;
-        let any = |is: fn(&Outcome) -> bool| self.of.iter().any(is);
-        let point = EvaluationPoint {
-            setup,
-            of: &self.of,
-            wrt: &self.wrt,
-            x,
-            columns: if order == Order::Value { 0 } else { x.len() },
-            entries: is_second.then_some(self.entries),
-            flies: any(|outcome| outcome.group() == OutcomeGroup::Flight),
-            has_apex: any(|outcome| outcome.needs_apex()),
-            has_run: any(|outcome| outcome.needs_run()),
-            largest_defect: self.largest_defect,
-            stop,
-            level: self.level,
-        };
         let is_chained = order > Order::Value
             && self.entries == Entries::All
             && self.split.is_cheaper(x.len(), is_second, self.level);
-        let taylors = chain::derivatives(&point, is_chained.then_some(&self.split), progress)?;
+        let taylors = with_accepted_step(&mut setup, self.largest_defect, |setup| {
+            let point = EvaluationPoint {
+                setup,
+                of: &self.of,
+                wrt: &self.wrt,
+                x,
+                columns: if order == Order::Value { 0 } else { x.len() },
+                entries: is_second.then_some(self.entries),
+                largest_defect: self.largest_defect,
+                stop,
+                level: self.level,
+            };
+            chain::derivatives(&point, is_chained.then_some(&self.split), progress)
+        })?;
         for (outcome, taylor) in self.of.iter().zip(&taylors) {
             check(taylor, *outcome, &self.wrt)?;
         }

@@ -2,12 +2,11 @@ use super::Taylor;
 use super::directions::{Directions, Entries, pairs};
 use crate::drive::{Outcome, OutcomeGroup, OutcomeInputs, check_defect};
 use crate::error::{Error, Result};
-use crate::flight::{Inputs, RequestedOutputs};
+use crate::flight::{FlightResult, Inputs};
 use crate::impact::{Head, LaunchState, strike};
 use crate::launch::Launch;
 use crate::number::{
-    Derivatives, Lanes, Level, Mask, Number, OverNumbers, Task, Vector, in_lane, inlined,
-    over_directions,
+    Derivatives, Lanes, Level, Mask, Number, OverNumbers, Task, Vector, inlined, over_directions,
 };
 use crate::parameters::{Parameter, Setup};
 use std::sync::atomic::AtomicBool;
@@ -29,12 +28,6 @@ pub(super) struct EvaluationPoint<'a> {
     pub columns: usize,
     /// Entries of the Hessians to compute; `None` without second derivatives.
     pub entries: Option<Entries>,
-    /// True if an outcome of the flight is requested.
-    pub flies: bool,
-    /// True if an outcome depends on the apex.
-    pub has_apex: bool,
-    /// True if an outcome depends on the run after landing.
-    pub has_run: bool,
     /// Largest accepted defect of the integration, m.
     pub largest_defect: f64,
     /// Interrupt flag.
@@ -65,6 +58,13 @@ impl Stage<'_> {
 }
 
 impl EvaluationPoint<'_> {
+    /// True if an outcome of the flight is requested.
+    pub fn flies(&self) -> bool {
+        self.of
+            .iter()
+            .any(|outcome| outcome.group() == OutcomeGroup::Flight)
+    }
+
     /// Writes the derivatives by `variables` to `taylors`. `progress` receives the number of
     /// completed passes and the number of all passes.
     pub fn differentiate(
@@ -132,11 +132,11 @@ impl OverNumbers for Pass<'_> {
     type Output = Result<()>;
 
     #[inline(always)]
-    fn over<J: Lanes<Lane: Derivatives>>(&mut self, per_lane: usize) -> Result<()> {
-        let (point, lanes) = (self.point, self.directions.lanes(per_lane));
+    fn over<J: Lanes>(&mut self) -> Result<()> {
+        let (point, lanes) = (self.point, self.directions.lanes::<J>());
         let mut setup = point.setup.constant::<J>();
         let mut components = self.launch_constants::<J>();
-        self.seed(per_lane, &mut setup, &mut components);
+        self.seed(&mut setup, &mut components);
         let launched = self.launch_state(&setup, components, lanes);
         if !launched.is_valid.holds(0) {
             return Err(point.impact_error());
@@ -148,15 +148,12 @@ impl OverNumbers for Pass<'_> {
                 .any(|outcome| outcome.group() == OutcomeGroup::Head);
         let head = has_head.then(|| J::not_inlined(|| Head::new(&setup.club)));
         let mut flight_result = None;
-        if point.flies && !matches!(self.stage, Stage::Impact) {
-            let inputs = Inputs::new(&setup, &launched.launch, point.has_run);
+        if point.flies() && !matches!(self.stage, Stage::Impact) {
+            let inputs = Inputs::new(&setup, &launched.launch);
+            let has_defect = point.largest_defect.is_finite();
             let found = flight_result.insert(inputs.integrate(
                 J::Mask::first(lanes),
-                RequestedOutputs {
-                    apex: point.has_apex,
-                    defect: point.largest_defect.is_finite(),
-                    stop: point.stop,
-                },
+                Outcome::requested_outputs(point.of, has_defect, point.stop),
                 None,
             ));
             // all lanes compute the same drive
@@ -167,17 +164,26 @@ impl OverNumbers for Pass<'_> {
             check_defect(&found.landed, value, point.largest_defect, inputs.step)?;
         }
         for lane in 0..lanes {
+            let in_lane = inlined!(|number: J| number.lane(lane));
+            let launch = launched.launch.map(in_lane);
+            let landed = flight_result
+                .as_ref()
+                .map(inlined!(|result: &FlightResult<J>| result
+                    .landed
+                    .map(in_lane)));
+            let head_in_lane = head
+                .as_ref()
+                .map(inlined!(|head: &Head<J>| head.map(in_lane)));
             let drive = OutcomeInputs {
-                launch: &launched.launch,
-                club_speed: launched.club_speed,
-                landed: flight_result.as_ref().map(|result| &result.landed),
-                head: head.as_ref(),
-                read: in_lane(lane),
+                launch: &launch,
+                club_speed: launched.club_speed.map(in_lane),
+                landed: landed.as_ref(),
+                head: head_in_lane.as_ref(),
             };
             let directions = self.directions;
-            let variables = directions.in_lane(lane, per_lane);
+            let variables = directions.in_lane::<J>(lane);
             self.put_outcomes(variables, &drive)?;
-            self.put_launch(variables, &launched.launch, lane);
+            self.put_launch(variables, &launch);
         }
         Ok(())
     }
@@ -226,11 +232,10 @@ impl Pass<'_> {
         }
     }
 
-    #[inline(always)]
-    fn put_outcomes<J: Lanes<Lane: Derivatives>>(
+    fn put_outcomes<L: Derivatives>(
         &mut self,
         variables: &[usize],
-        drive: &OutcomeInputs<'_, J, impl Fn(J) -> J::Lane + Copy>,
+        drive: &OutcomeInputs<'_, L>,
     ) -> Result<()> {
         let outcomes = self.point.of.iter().zip(&mut *self.taylors);
         for (outcome, taylor) in outcomes.filter(|(outcome, _)| self.stage.has(**outcome)) {
@@ -244,32 +249,20 @@ impl Pass<'_> {
 
     /// Writes the derivatives of the components of the launch, which come after the outcomes in
     /// `taylors`.
-    #[inline(always)]
-    fn put_launch<J: Lanes<Lane: Derivatives>>(
-        &mut self,
-        variables: &[usize],
-        launch: &Launch<J>,
-        lane: usize,
-    ) {
+    fn put_launch<L: Derivatives>(&mut self, variables: &[usize], launch: &Launch<L>) {
         let (v, s) = (&launch.velocity, &launch.spin);
         let numbers = [&v.x, &v.y, &v.z, &s.x, &s.y, &s.z];
         let components = &mut self.taylors[self.point.of.len()..];
         for (taylor, number) in components.iter_mut().zip(numbers) {
-            put(taylor, variables, &number.lane(lane));
+            put(taylor, variables, number);
         }
     }
 
     #[inline(always)]
-    fn seed<J: Lanes>(
-        &self,
-        per_lane: usize,
-        setup: &mut Setup<J>,
-        components: &mut [J; COMPONENTS],
-    ) {
+    fn seed<J: Lanes>(&self, setup: &mut Setup<J>, components: &mut [J; COMPONENTS]) {
         let (point, given) = (self.point, self.given_launch());
         let parameters = point.wrt.len();
         self.directions.seeded(
-            per_lane,
             |variable| {
                 if variable < parameters {
                     point.x[variable]

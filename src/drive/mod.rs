@@ -19,7 +19,7 @@ pub use warnings::{FlownRange, carry_with_law_held};
 use crate::aerodynamics::AerodynamicLaw;
 use crate::atmosphere::AirState;
 use crate::error::{Error, Result};
-use crate::flight::{Flight, Inputs, Landed};
+use crate::flight::{Flight, Inputs, Landed, RequestedOutputs};
 use crate::impact::{Grip, Head, Impact, strike};
 use crate::launch::Launch;
 use crate::number::Number;
@@ -77,7 +77,8 @@ impl<T: Number> Drive<T> {
     /// The errors of [`new`](Self::new), except the error for the step; [`Error::Stopped`] after an
     /// interrupt.
     pub(crate) fn without_step_check(setup: &Setup<T>, stop: Option<&AtomicBool>) -> Result<Self> {
-        let fly = |launch: &Launch<T>| Inputs::new(setup, launch, true).fly(stop, None);
+        let fly =
+            |launch: &Launch<T>| Inputs::new(setup, launch).fly(RequestedOutputs::all(stop), None);
         if let Some(launch) = Launch::given(setup) {
             return Ok(Self {
                 launch,

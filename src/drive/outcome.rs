@@ -2,11 +2,12 @@ use super::Drive;
 use super::declaration::{ComputedFrom, Instrument, OutcomeGroup, Sign};
 use super::outcome_table::{Outcome, OutcomeInputs};
 use crate::error::{Error, Result};
-use crate::flight::Flight;
+use crate::flight::{Flight, RequestedOutputs};
 use crate::number::Number;
 use crate::units::{DisplayUnit, Quantity};
 use serde::{Serialize, Serializer};
 use std::fmt;
+use std::sync::atomic::AtomicBool;
 
 impl Outcome {
     /// All outcomes of drives; the outcomes of the head are [`OF_HEAD`](Self::OF_HEAD).
@@ -119,6 +120,20 @@ impl Outcome {
         self.computed_from() == ComputedFrom::Rest
     }
 
+    /// Parts of a flight that the outcomes `of` depend on.
+    pub(crate) fn requested_outputs<'s>(
+        of: &[Self],
+        defect: bool,
+        stop: Option<&'s AtomicBool>,
+    ) -> RequestedOutputs<'s> {
+        RequestedOutputs {
+            apex: of.iter().any(|outcome| outcome.needs_apex()),
+            run: of.iter().any(|outcome| outcome.needs_run()),
+            defect,
+            stop,
+        }
+    }
+
     /// True if the outcome is positive to the right of the target line and negative to the left.
     pub(crate) fn is_to_the_right(self) -> bool {
         self.sign() == Sign::Right
@@ -182,7 +197,6 @@ impl Outcome {
             club_speed: drive.club_speed,
             landed,
             head: drive.head.as_ref(),
-            read: |number| number,
         };
         let value = self.evaluate(&inputs).ok_or_else(|| match &drive.flight {
             Flight::None(why) if self.group() == OutcomeGroup::Flight => (*why).into(),

@@ -4,44 +4,18 @@ use super::declaration::{ComputedFrom, Declaration, Instrument, Sign};
 use crate::flight::Landed;
 use crate::impact::Head;
 use crate::launch::Launch;
-use crate::number::{Number, Numbers};
+use crate::number::Number;
 use crate::parameters::Range;
 use crate::units::Quantity;
 
-/// Quantities that outcomes are computed from.
-#[derive(Clone, Copy)]
-pub(crate) struct OutcomeInputs<'a, T, Read> {
+/// Parts of a drive that outcomes are computed from.
+pub(crate) struct OutcomeInputs<'a, T> {
     pub launch: &'a Launch<T>,
     /// Speed of the head before impact, m/s, if there is a club.
     pub club_speed: Option<T>,
     pub landed: Option<&'a Landed<T>>,
     /// The head, if there is a club and if an outcome of the head is requested.
     pub head: Option<&'a Head<T>>,
-    /// Converts a number, for example to its value in one lane. It is applied only to the parts of
-    /// the drive (launch, landing, head) that the formula of an outcome reads.
-    pub read: Read,
-}
-
-impl<T: Numbers, U, Read: Fn(T) -> U + Copy> OutcomeInputs<'_, T, Read> {
-    #[inline(always)]
-    fn launch(&self) -> Launch<U> {
-        self.launch.map(self.read)
-    }
-
-    #[inline(always)]
-    fn club_speed(&self) -> Option<U> {
-        self.club_speed.map(self.read)
-    }
-
-    #[inline(always)]
-    fn landed(&self) -> Option<Landed<U>> {
-        Some(self.landed?.map(self.read))
-    }
-
-    #[inline(always)]
-    fn head(&self) -> Option<Head<U>> {
-        Some(self.head?.map(self.read))
-    }
 }
 
 /// Uncertainty of ball speed, from golflaunchlab.com/guides/golf-launch-monitor-accuracy (read in a
@@ -105,10 +79,7 @@ macro_rules! outcomes {
             }
 
             /// Evaluates the outcome; `None` if a quantity that it depends on is missing.
-            pub(crate) fn evaluate<T: Numbers, U: Number>(
-                self,
-                inputs: &OutcomeInputs<'_, T, impl Fn(T) -> U + Copy>,
-            ) -> Option<U> {
+            pub(crate) fn evaluate<T: Number>(self, inputs: &OutcomeInputs<'_, T>) -> Option<T> {
                 match self {
                     $( Self::$Outcome => {
                         let $drive = inputs;
@@ -124,7 +95,7 @@ outcomes! {
     /// Distance downrange at landing, along the target line; carry_distance includes the distance
     /// to the side.
     Carry {
-        value: |drive| drive.landed()?.carry,
+        value: |drive| drive.landed?.carry,
         name: "carry",
         symbol: "z_L",
         quantity: Quantity::LENGTH,
@@ -143,7 +114,7 @@ outcomes! {
     /// monitors.
     CarryDistance {
         value: |drive| {
-            let landed = drive.landed()?;
+            let landed = drive.landed?;
             (landed.carry * landed.carry + landed.lateral * landed.lateral).sqrt()
         },
         name: "carry_distance",
@@ -168,7 +139,7 @@ outcomes! {
 
     /// Distance right of the target line at landing.
     Lateral {
-        value: |drive| drive.landed()?.lateral,
+        value: |drive| drive.landed?.lateral,
         name: "lateral",
         symbol: "y_L",
         quantity: Quantity::LENGTH,
@@ -196,7 +167,7 @@ outcomes! {
 
     /// Time from launch to landing.
     FlightTime {
-        value: |drive| drive.landed()?.flight_time,
+        value: |drive| drive.landed?.flight_time,
         name: "flight_time",
         symbol: "t_L",
         quantity: Quantity::TIME,
@@ -214,7 +185,7 @@ outcomes! {
 
     /// Greatest height of the flight above the tee.
     ApexHeight {
-        value: |drive| drive.landed()?.apex?.height,
+        value: |drive| drive.landed?.apex?.height,
         name: "apex_height",
         symbol: "x_A",
         quantity: Quantity::LENGTH,
@@ -240,7 +211,7 @@ outcomes! {
 
     /// Time from launch to the apex.
     ApexTime {
-        value: |drive| drive.landed()?.apex?.time,
+        value: |drive| drive.landed?.apex?.time,
         name: "apex_time",
         symbol: "t_A",
         quantity: Quantity::TIME,
@@ -257,7 +228,7 @@ outcomes! {
 
     /// Distance downrange of the apex.
     ApexDownrange {
-        value: |drive| drive.landed()?.apex?.downrange,
+        value: |drive| drive.landed?.apex?.downrange,
         name: "apex_downrange",
         symbol: "z_A",
         quantity: Quantity::LENGTH,
@@ -275,7 +246,7 @@ outcomes! {
     /// Angle of the path below horizontal at landing.
     DescentAngle {
         value: |drive| {
-            let v = drive.landed()?.velocity;
+            let v = drive.landed?.velocity;
             (-v.x).atan2((v.y * v.y + v.z * v.z).sqrt())
         },
         name: "descent_angle",
@@ -306,7 +277,7 @@ outcomes! {
 
     /// Speed at landing.
     LandingSpeed {
-        value: |drive| drive.landed()?.velocity.norm(),
+        value: |drive| drive.landed?.velocity.norm(),
         name: "landing_speed",
         symbol: "|v_L|",
         quantity: Quantity::SPEED,
@@ -324,7 +295,7 @@ outcomes! {
     /// Distance downrange where the ball rests, along the target line like carry; uncertain by at
     /// least 10 yd, as the ground is not calibrated.
     Total {
-        value: |drive| drive.landed()?.rest.as_ref()?.downrange,
+        value: |drive| drive.landed?.rest.as_ref()?.downrange,
         name: "total",
         symbol: "z_R",
         quantity: Quantity::LENGTH,
@@ -349,7 +320,7 @@ outcomes! {
     /// by at least 10 yd, as the ground is not calibrated.
     Run {
         value: |drive| {
-            let landed = drive.landed()?;
+            let landed = drive.landed?;
             landed.rest.as_ref()?.downrange - landed.carry
         },
         name: "run",
@@ -368,7 +339,7 @@ outcomes! {
 
     /// Distance right of the target line where the ball rests; the ground is not calibrated.
     LateralTotal {
-        value: |drive| drive.landed()?.rest.as_ref()?.right,
+        value: |drive| drive.landed?.rest.as_ref()?.right,
         name: "lateral_total",
         symbol: "y_R",
         quantity: Quantity::LENGTH,
@@ -392,7 +363,7 @@ outcomes! {
 
     /// Speed of the ball at launch.
     BallSpeed {
-        value: |drive| drive.launch().ball_speed(),
+        value: |drive| drive.launch.ball_speed(),
         name: "ball_speed",
         symbol: "|v_0|",
         quantity: Quantity::SPEED,
@@ -410,7 +381,7 @@ outcomes! {
 
     /// Ball speed over club speed.
     SmashFactor {
-        value: |drive| drive.launch().ball_speed() / drive.club_speed()?,
+        value: |drive| drive.launch.ball_speed() / drive.club_speed?,
         name: "smash_factor",
         symbol: "|v_0|/V",
         quantity: Quantity::NUMBER,
@@ -427,7 +398,7 @@ outcomes! {
 
     /// Angle of the launch above horizontal.
     LaunchAngle {
-        value: |drive| drive.launch().launch_angle(),
+        value: |drive| drive.launch.launch_angle(),
         name: "launch_angle",
         symbol: "γ_0",
         quantity: Quantity::ANGLE,
@@ -454,7 +425,7 @@ outcomes! {
 
     /// Horizontal direction of the launch, + right.
     LaunchDirection {
-        value: |drive| drive.launch().launch_direction(),
+        value: |drive| drive.launch.launch_direction(),
         name: "launch_direction",
         symbol: "φ_0",
         quantity: Quantity::ANGLE,
@@ -484,7 +455,7 @@ outcomes! {
 
     /// Spin at launch.
     Spin {
-        value: |drive| drive.launch().total_spin(),
+        value: |drive| drive.launch.total_spin(),
         name: "spin",
         symbol: "|ω_0|",
         quantity: Quantity::ANGULAR_VELOCITY,
@@ -501,7 +472,7 @@ outcomes! {
 
     /// Backspin at launch.
     Backspin {
-        value: |drive| drive.launch().backspin(),
+        value: |drive| drive.launch.backspin(),
         name: "backspin",
         symbol: "ω_b",
         quantity: Quantity::ANGULAR_VELOCITY,
@@ -519,7 +490,7 @@ outcomes! {
 
     /// Sidespin at launch, + curves right.
     Sidespin {
-        value: |drive| drive.launch().sidespin(),
+        value: |drive| drive.launch.sidespin(),
         name: "sidespin",
         symbol: "ω_s",
         quantity: Quantity::ANGULAR_VELOCITY,
@@ -536,7 +507,7 @@ outcomes! {
 
     /// Tilt of the spin axis at launch, + right.
     SpinAxis {
-        value: |drive| drive.launch().spin_axis(),
+        value: |drive| drive.launch.spin_axis(),
         name: "spin_axis",
         symbol: "atan2(ω_s, ω_b)",
         quantity: Quantity::ANGLE,
@@ -553,7 +524,7 @@ outcomes! {
 
     /// Mass of the head with its movable weights.
     HeadMass {
-        value: |drive| drive.head()?.mass,
+        value: |drive| drive.head?.mass,
         name: "head_mass",
         symbol: "M",
         quantity: Quantity::MASS,
@@ -566,7 +537,7 @@ outcomes! {
     /// Moment of inertia of the head with its movable weights about the vertical axis through its
     /// centre of mass, which the Rules of Golf limit.
     HeadMoi {
-        value: |drive| drive.head()?.inertia[0][0],
+        value: |drive| drive.head?.inertia[0][0],
         name: "head_moi",
         symbol: "I_xx",
         quantity: Quantity::INERTIA,
@@ -578,7 +549,7 @@ outcomes! {
 
     /// First leading minor of the second moments of the head's mass: at least 0 for a rigid body.
     HeadMinor1 {
-        value: |drive| drive.head()?.minors()[0],
+        value: |drive| drive.head?.minors()[0],
         name: "head_minor_1",
         symbol: "S₁",
         quantity: Quantity::INERTIA,
@@ -591,7 +562,7 @@ outcomes! {
     /// Leading 2 × 2 minor of the matrix of the head's second moments of mass, divided by the trace
     /// of the matrix: at least 0 for a rigid body.
     HeadMinor2 {
-        value: |drive| drive.head()?.minors()[1],
+        value: |drive| drive.head?.minors()[1],
         name: "head_minor_2",
         symbol: "S₂",
         quantity: Quantity::INERTIA,
@@ -604,7 +575,7 @@ outcomes! {
     /// Determinant of the matrix of the head's second moments of mass, divided by the square of the
     /// trace: at least 0 for a rigid body.
     HeadMinor3 {
-        value: |drive| drive.head()?.minors()[2],
+        value: |drive| drive.head?.minors()[2],
         name: "head_minor_3",
         symbol: "S₃",
         quantity: Quantity::INERTIA,

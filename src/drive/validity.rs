@@ -105,11 +105,11 @@ impl Drive<f64> {
         stop: &AtomicBool,
     ) -> ExceededLimits {
         let law = match scope {
-            CheckScope::Launch => !setup.law.properties().fitted.contains(
-                Inputs::new(setup, &self.launch, false)
-                    .launch_stream()
-                    .variables(),
-            ),
+            CheckScope::Launch => !setup
+                .law
+                .properties()
+                .fitted
+                .contains(Inputs::new(setup, &self.launch).launch_stream().variables()),
             CheckScope::Flight => !self.extrapolated(setup, stop).is_empty(),
         };
         let slopes = [setup.ground.slope, setup.ground.side_slope];

@@ -8,7 +8,8 @@ use super::{Drive, Outcome};
 use crate::aerodynamics::{AerodynamicLaw, Continuation, Stream};
 use crate::atmosphere::{AirState, WindField};
 use crate::flight::{
-    Flight, Inputs, Landed, TrajectoryPoint, change_by_holding, stays_within, trajectory_until,
+    Flight, Inputs, Landed, RequestedOutputs, TrajectoryPoint, change_by_holding, stays_within,
+    trajectory_until,
 };
 use crate::parameters::{LawVariable, Setup};
 use crate::units::{Digits, Message, Quantity};
@@ -128,7 +129,11 @@ impl Drive<f64> {
     /// Flies the launch of this drive again, with `setup`; `None` without a landing.
     fn landed_with(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Option<Landed<f64>> {
         setup.flight.check_steps().ok()?;
-        match Inputs::new(setup, &self.launch, false).fly(Some(stop), None) {
+        let outputs = RequestedOutputs {
+            run: false,
+            ..RequestedOutputs::all(Some(stop))
+        };
+        match Inputs::new(setup, &self.launch).fly(outputs, None) {
             Ok(Flight::Landed(landed)) => Some(landed),
             _ => None,
         }

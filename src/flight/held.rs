@@ -74,7 +74,7 @@ pub(crate) fn change_by_holding(
     let mut fine = *setup;
     fine.method = Method::Rk4;
     fine.flight.step = setup.flight.step.min(LARGEST_STEP);
-    let inputs = Inputs::new(&fine, launch, false);
+    let inputs = Inputs::new(&fine, launch);
     let held = HeldLaw {
         law: inputs.law,
         variable,
@@ -83,6 +83,7 @@ pub(crate) fn change_by_holding(
     };
     let outputs = RequestedOutputs {
         apex: false,
+        run: false,
         defect: false,
         stop: Some(stop),
     };
@@ -100,7 +101,7 @@ pub(crate) fn stays_within(
     fitted: &Fitted,
     stop: &AtomicBool,
 ) -> bool {
-    let inputs = Inputs::new(setup, launch, false);
+    let inputs = Inputs::new(setup, launch);
     let h = setup.flight.step;
     let holds = |node: &StepNode<f64>| {
         let speed = node.rate.speed;
@@ -116,8 +117,12 @@ pub(crate) fn stays_within(
         })
     };
     let mut stays = true;
+    let outputs = RequestedOutputs {
+        run: false,
+        ..RequestedOutputs::all(Some(stop))
+    };
     let flight = inputs.fly(
-        Some(stop),
+        outputs,
         Some(&mut |_, step| stays &= holds(step.from) && holds(step.to)),
     );
     stays && flight.is_ok()

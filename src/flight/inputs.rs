@@ -36,8 +36,8 @@ pub(crate) struct Inputs<T, L = Law<T>> {
     pub ground: T,
     /// Law of drag and lift.
     pub law: L,
-    /// Turf of the landing area, if the run is requested.
-    pub turf: Option<Turf<T>>,
+    /// Turf of the landing area.
+    pub turf: Turf<T>,
     /// Runge–Kutta method.
     pub method: Method,
     /// Step h, s.
@@ -47,10 +47,10 @@ pub(crate) struct Inputs<T, L = Law<T>> {
 }
 
 impl<T: Numbers> Inputs<T> {
-    /// The inputs of a flight with this launch, and with air, ball, law and step of the setup. The
-    /// turf is included if `has_run` is true.
+    /// The inputs of a flight with this launch, and with air, ball, law, ground and step of the
+    /// setup.
     #[inline(always)]
-    pub fn new(setup: &Setup<T>, launch: &Launch<T>, has_run: bool) -> Self {
+    pub fn new(setup: &Setup<T>, launch: &Launch<T>) -> Self {
         T::not_inlined(inlined!(|| {
             let radius = setup.ball.radius;
             let air = AirState::of(&setup.air);
@@ -72,7 +72,7 @@ impl<T: Numbers> Inputs<T> {
                 wind: WindField::new(&setup.wind, &setup.ground),
                 ground: setup.ground.height,
                 law: setup.law,
-                turf: has_run.then(inlined!(|| Turf::new(setup))),
+                turf: Turf::new(setup),
                 method: setup.method,
                 step: setup.flight.step,
                 time_limit: setup.flight.time_limit,

@@ -119,9 +119,9 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
             }
         }
         result.is_aloft = lanes.flying;
-        if let Some(turf) = &self.turf {
-            let landing = self.landing(&result.landed, result.spin);
-            result.landed.rest = Some(turf.rest(&landing, result.has_landed));
+        if let Some(spin) = result.spin {
+            let landing = self.landing(&result.landed, spin);
+            result.landed.rest = Some(self.turf.rest(&landing, result.has_landed));
         }
         result
     }
@@ -275,9 +275,9 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
                 .mul_add(per_sine, result.apex_defect);
             *sum = total.select(*sum, lands);
         }
-        if self.turf.is_some() {
-            let spin = self.spin_within([step.from, step.to], s);
-            result.spin = spin.select(result.spin, lands);
+        if let Some(spin) = &mut result.spin {
+            let landing_spin = self.spin_within([step.from, step.to], s);
+            *spin = landing_spin.select(*spin, lands);
         }
         result.has_landed = result.has_landed | lands;
         lands

@@ -13,15 +13,14 @@ mod trajectory;
 
 pub(crate) use held::{change_by_holding, stays_within};
 pub(crate) use inputs::Inputs;
-pub(crate) use result::RequestedOutputs;
 pub use result::{Apex, Flight, Landed, NoFlight};
+pub(crate) use result::{FlightResult, RequestedOutputs};
 pub use trajectory::{Trajectory, TrajectoryPoint, trajectory, trajectory_until};
 
 use crate::error::Result;
 use crate::launch::Launch;
 use crate::number::Number;
 use crate::parameters::Setup;
-use std::sync::atomic::AtomicBool;
 use step::StepObserver;
 
 /// Flies the ball from launch to landing (docs/model.md, eqs. 12–18). Allocates no heap memory,
@@ -34,12 +33,11 @@ use step::StepObserver;
 /// that the time limit contains more than 1e8 steps.
 pub fn fly<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
     setup.flight.check_steps()?;
-    Inputs::new(setup, launch, true).fly(None, None)
+    Inputs::new(setup, launch).fly(RequestedOutputs::all(None), None)
 }
 
 impl<T: Number> Inputs<T> {
-    /// Computes the flight of one ball; interrupted once `stop` is true. The observer receives each
-    /// step.
+    /// Computes the flight of one ball. The observer receives each step.
     ///
     /// # Errors
     /// [`Error::Diverged`](crate::Error::Diverged) if drag and lift change the airspeed too much
@@ -47,15 +45,10 @@ impl<T: Number> Inputs<T> {
     /// interrupt.
     pub(crate) fn fly(
         &self,
-        stop: Option<&AtomicBool>,
+        outputs: RequestedOutputs<'_>,
         observer: StepObserver<'_, T>,
     ) -> Result<Flight<T>> {
-        let all = RequestedOutputs {
-            apex: true,
-            defect: true,
-            stop,
-        };
-        let result = self.integrate(true, all, observer);
+        let result = self.integrate(true, outputs, observer);
         Ok(match result.no_landing_reason(self, T::re)? {
             None => Flight::Landed(result.landed),
             Some(reason) => Flight::None(reason),

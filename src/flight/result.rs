@@ -163,6 +163,8 @@ impl fmt::Display for NoFlight {
 pub(crate) struct RequestedOutputs<'s> {
     /// Highest point.
     pub apex: bool,
+    /// Run after the landing.
+    pub run: bool,
     /// Defect of the integration.
     pub defect: bool,
     /// Interrupt flag: once true, the flight ends within [`STOP_INTERVAL`] steps.
@@ -172,7 +174,17 @@ pub(crate) struct RequestedOutputs<'s> {
 /// Number of steps between two checks of the interrupt flag: about a millisecond.
 const STOP_INTERVAL: usize = 4096;
 
-impl RequestedOutputs<'_> {
+impl<'s> RequestedOutputs<'s> {
+    /// All outputs.
+    pub fn all(stop: Option<&'s AtomicBool>) -> Self {
+        Self {
+            apex: true,
+            run: true,
+            defect: true,
+            stop,
+        }
+    }
+
     /// True if the flight stops after this number of steps.
     #[inline(always)]
     pub fn stops_at(&self, steps: usize) -> bool {
@@ -199,8 +211,8 @@ pub(crate) struct FlightResult<T: Numbers> {
     /// In lanes without a landing: height of an apex that is not above the ground, or of the ball
     /// at the time limit, m.
     pub height: T,
-    /// Spin at landing, rad/s, if the run is requested.
-    pub spin: T,
+    /// Spin at landing, rad/s; `None` if the run is not requested.
+    pub spin: Option<T>,
     /// Contribution D_A of the apex position to the defect, m (docs/model.md, eq. 16a), if apex and
     /// defect are requested.
     pub apex_defect: T,
@@ -235,7 +247,7 @@ impl<T: Numbers> FlightResult<T> {
             is_aloft: none,
             is_stopped: false,
             height: zero,
-            spin: zero,
+            spin: outputs.run.then_some(zero),
             apex_defect: zero,
             time: 0.0,
         }

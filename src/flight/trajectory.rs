@@ -1,8 +1,7 @@
 use super::inputs::Inputs;
-use super::result::Flight;
+use super::result::{Flight, RequestedOutputs};
 use super::septic::StepPath;
 use crate::error::Result;
-use crate::ground::Turf;
 use crate::launch::Launch;
 use crate::number::Vector;
 use crate::parameters::Setup;
@@ -70,12 +69,16 @@ pub fn trajectory_until(
         spin: launch.spin,
     };
     let mut points = vec![start];
-    let inputs = Inputs::new(setup, launch, false);
+    let inputs = Inputs::new(setup, launch);
     let h = setup.flight.step;
     let intervals = (h / LARGEST_INTERVAL).ceil().max(1.0);
     let mut last_step = None;
+    let outputs = RequestedOutputs {
+        run: false,
+        ..RequestedOutputs::all(Some(stop))
+    };
     let flight = inputs.fly(
-        Some(stop),
+        outputs,
         Some(&mut |begin, step| {
             last_step = Some((begin, [*step.from, *step.to]));
             if intervals > 1.0 {
@@ -104,7 +107,7 @@ pub fn trajectory_until(
         if let Some((begin, [from, to])) = last_step {
             let landing_spin = inputs.spin_within([&from, &to], (landed.flight_time - begin) / h);
             spin = inputs.axis * landing_spin;
-            run = Turf::new(setup).path(&inputs.landing(landed, landing_spin));
+            run = inputs.turf.path(&inputs.landing(landed, landing_spin));
         }
         points.push(TrajectoryPoint {
             time: landed.flight_time,

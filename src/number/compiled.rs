@@ -8,7 +8,7 @@
 //! ([`Drive::new`](crate::Drive::new)) is also a number type of the baseline level. For
 //! `num_dual::Dual64` (`study::certificate`), impact and flight are compiled once more.
 
-use super::{Derivatives, Jet, Lanes, Mixed};
+use super::{Jet, Lanes, Mixed};
 
 /// Largest number of directions in a lane. Single drives and sweeps have the same limit, so that
 /// both use the same compiled code of a flight.
@@ -20,8 +20,8 @@ pub(crate) const MOST_PER_LANE: usize = 3;
 pub(crate) trait OverNumbers {
     /// Result of the work.
     type Output;
-    /// Runs the work over a number type with `per_lane` directions in each lane.
-    fn over<J: Lanes<Lane: Derivatives>>(&mut self, per_lane: usize) -> Self::Output;
+    /// Runs the work over a number type.
+    fn over<J: Lanes>(&mut self) -> Self::Output;
 }
 
 /// Runs `work` for one drive. Each lane differentiates by other variables. The number type has
@@ -34,10 +34,10 @@ pub(crate) fn over_directions<V: Lanes<Lane = f64>, W: OverNumbers>(
     are_pairs: bool,
 ) -> W::Output {
     match (variables, are_pairs) {
-        (0, _) => work.over::<V>(1),
-        (_, true) => work.over::<Mixed<V>>(2),
-        (count, false) if count <= V::WIDTH => work.over::<Jet<1, V>>(1),
-        _ => work.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
+        (0, _) => work.over::<V>(),
+        (_, true) => work.over::<Mixed<V>>(),
+        (count, false) if count <= V::WIDTH => work.over::<Jet<1, V>>(),
+        _ => work.over::<Jet<MOST_PER_LANE, V>>(),
     }
 }
 
@@ -49,9 +49,9 @@ pub(crate) fn over_drives<V: Lanes<Lane = f64>, W: OverNumbers>(
     parameters: usize,
 ) -> W::Output {
     match parameters {
-        0 => work.over::<V>(1),
-        1 => work.over::<Jet<1, V>>(1),
-        2 => work.over::<Jet<2, V>>(2),
-        _ => work.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
+        0 => work.over::<V>(),
+        1 => work.over::<Jet<1, V>>(),
+        2 => work.over::<Jet<2, V>>(),
+        _ => work.over::<Jet<MOST_PER_LANE, V>>(),
     }
 }

@@ -1,11 +1,13 @@
-use super::{Jet, Number, Numbers, inlined};
+use super::{Derivatives, Jet, Numbers};
 
 /// Numbers in lanes. The lanes are different drives, or one drive with different directions.
 pub(crate) trait Lanes: Numbers {
     /// Number of lanes.
     const WIDTH: usize;
+    /// Number of directions in each lane.
+    const DIRECTIONS: usize;
     /// Number type of one lane.
-    type Lane: Number;
+    type Lane: Derivatives;
 
     /// Number in lane i.
     fn lane(self, i: usize) -> Self::Lane;
@@ -17,16 +19,10 @@ pub(crate) trait Lanes: Numbers {
     fn seeded(self, changes_in: &impl Fn(usize) -> Self::Mask, first: usize) -> Self;
 }
 
-/// Function that extracts one lane. All code that reads outcomes from lanes uses this function,
-/// because the outcomes are compiled once for each type of closure.
-#[inline(always)]
-pub(crate) fn in_lane<J: Lanes>(lane: usize) -> impl Fn(J) -> J::Lane + Copy {
-    inlined!(move |number: J| number.lane(lane))
-}
-
 /// A single lane.
 impl Lanes for f64 {
     const WIDTH: usize = 1;
+    const DIRECTIONS: usize = 0;
     type Lane = f64;
 
     #[inline(always)]
@@ -45,6 +41,7 @@ impl Lanes for f64 {
 
 impl<const K: usize, B: Lanes> Lanes for Jet<K, B> {
     const WIDTH: usize = B::WIDTH;
+    const DIRECTIONS: usize = K + B::DIRECTIONS;
     type Lane = Jet<K, B::Lane>;
 
     #[inline(always)]

@@ -54,7 +54,7 @@ pub(crate) use compiled::{MOST_PER_LANE, OverNumbers, over_directions, over_driv
 pub(crate) use inlined::inlined;
 pub(crate) use jet::Derivatives;
 pub use jet::{Jet, Mixed};
-pub(crate) use lanes::{Lanes, in_lane};
+pub(crate) use lanes::Lanes;
 pub use level::Level;
 pub(crate) use level::Task;
 pub use mask::Mask;

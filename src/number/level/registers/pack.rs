@@ -174,6 +174,7 @@ macro_rules! pack {
 
         impl Lanes for $Pack {
             const WIDTH: usize = $width;
+            const DIRECTIONS: usize = 0;
             type Lane = f64;
 
             #[inline(always)]
