@@ -142,7 +142,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
             & step.to.position.x.is_finite();
         result.diverges = result.diverges | flying & !is_resolved;
         let flying = flying & is_resolved;
-        if let Some(sum) = &mut result.landed.defect {
+        if let Some(sum) = &mut result.defect_sum {
             let defect = step.defect(self.step).without_derivatives();
             *sum = (*sum + defect).select(*sum, flying);
         }
@@ -228,7 +228,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
             // v_A and the downward acceleration a_A at the apex. 400 = 4 · 100: an error of the
             // path proportional to s⁴(1 − s)⁴ has a derivative by s of up to 4 times its maximum,
             // and this derivative shifts the apex.
-            if result.landed.defect.is_some() {
+            if result.defect_sum.is_some() {
                 let per_defect = path.velocity(s).norm() * (4.0 * INTERPOLATION_WEIGHT * h)
                     / -path.up.second_derivative(s);
                 let apex_defect = step.defect(h) * per_defect;
@@ -267,13 +267,13 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         landed.flight_time = time.select(landed.flight_time, lands);
         landed.velocity = v.select(landed.velocity, lands);
         // D = (sum + 100 d) |v_L|/|v_L,up| + D_A, eq. 16a, with the defect d of the last step
-        if let Some(sum) = &mut landed.defect {
+        if let (Some(total), Some(sum)) = (&mut landed.defect, result.defect_sum) {
             let per_sine = (v.norm() / -v.x).without_derivatives();
             let defect = step.defect(h).without_derivatives();
-            let total = defect
-                .scale_add(INTERPOLATION_WEIGHT, *sum)
+            let here = defect
+                .scale_add(INTERPOLATION_WEIGHT, sum)
                 .mul_add(per_sine, result.apex_defect);
-            *sum = total.select(*sum, lands);
+            *total = here.select(*total, lands);
         }
         if let Some(spin) = &mut result.spin {
             let landing_spin = self.spin_within([step.from, step.to], s);

@@ -213,8 +213,11 @@ pub(crate) struct FlightResult<T: Numbers> {
     pub height: T,
     /// Spin at landing, rad/s; `None` if the run is not requested.
     pub spin: Option<T>,
-    /// Contribution D_A of the apex position to the defect, m (docs/model.md, eq. 16a), if apex and
-    /// defect are requested.
+    /// Sum of the defects of the steps so far, m (docs/model.md, eq. 16a); `None` if the defect is
+    /// not requested.
+    pub defect_sum: Option<T>,
+    /// Contribution D_A of the apex position to the defect, m (eq. 16a), if apex and defect are
+    /// requested.
     pub apex_defect: T,
     /// Time at the end of the last step, s. In a batch, this is the time of the longest flight.
     pub time: f64,
@@ -248,6 +251,7 @@ impl<T: Numbers> FlightResult<T> {
             is_stopped: false,
             height: zero,
             spin: outputs.run.then_some(zero),
+            defect_sum: outputs.defect.then_some(zero),
             apex_defect: zero,
             time: 0.0,
         }
