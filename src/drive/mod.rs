@@ -20,7 +20,7 @@ use crate::aerodynamics::AerodynamicLaw;
 use crate::atmosphere::AirState;
 use crate::error::{Error, Result};
 use crate::flight::{Flight, Inputs, Landed, RequestedOutputs};
-use crate::impact::{Grip, Head, Impact, strike};
+use crate::impact::{Grip, Impact, strike};
 use crate::launch::Launch;
 use crate::number::Number;
 use crate::parameters::Setup;
@@ -36,10 +36,6 @@ pub struct Drive<T> {
     pub impact: Option<Impact<T>>,
     /// The flight.
     pub flight: Flight<T>,
-    /// Speed of the head before impact, m/s, if there is a club.
-    pub club_speed: Option<T>,
-    /// The head with its movable weights, if there is a club.
-    pub head: Option<Head<T>>,
 }
 
 impl<T: Number> Drive<T> {
@@ -84,8 +80,6 @@ impl<T: Number> Drive<T> {
                 launch,
                 impact: None,
                 flight: fly(&launch)?,
-                club_speed: None,
-                head: None,
             });
         }
         let impact = strike(setup)?;
@@ -93,8 +87,6 @@ impl<T: Number> Drive<T> {
             launch: impact.launch,
             impact: Some(impact),
             flight: fly(&impact.launch)?,
-            club_speed: Some(setup.swing.speed),
-            head: Some(Head::new(&setup.club)),
         })
     }
 

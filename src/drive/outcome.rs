@@ -194,9 +194,9 @@ impl Outcome {
         };
         let inputs = OutcomeInputs {
             launch: &drive.launch,
-            club_speed: drive.club_speed,
+            club_speed: drive.impact.as_ref().map(|impact| impact.club_speed),
             landed,
-            head: drive.head.as_ref(),
+            head: drive.impact.as_ref().map(|impact| &impact.head),
         };
         let value = self.evaluate(&inputs).ok_or_else(|| match &drive.flight {
             Flight::None(why) if self.group() == OutcomeGroup::Flight => (*why).into(),
@@ -396,8 +396,8 @@ mod tests {
             declared(|of| of.group() == OutcomeGroup::Launch)
         );
         assert_eq!(
-            lost(|drive, _| drive.head = None),
-            declared(|of| of.group() == OutcomeGroup::Head)
+            lost(|drive, _| drive.impact = None),
+            declared(|of| of.group() == OutcomeGroup::Head || of == Outcome::SmashFactor)
         );
     }
 }

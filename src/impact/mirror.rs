@@ -37,7 +37,7 @@ impl<T: Numbers> Impact<T> {
             impulse: polar(self.impulse),
             face_normal: polar(self.face_normal),
             contact_point: polar(self.contact_point),
-            grip: self.grip,
+            ..self
         }
     }
 }

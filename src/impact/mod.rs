@@ -28,6 +28,10 @@ use crate::parameters::{Golfer, Setup};
 pub struct Impact<T> {
     /// Launch of the ball.
     pub launch: Launch<T>,
+    /// Speed of the head before impact, m/s.
+    pub club_speed: T,
+    /// The head with its movable weights.
+    pub head: Head<T>,
     /// Velocity of the head's centre of mass after impact, m/s.
     pub club_velocity: Vector<T>,
     /// Angular velocity of the head after impact, rad/s.
@@ -68,6 +72,8 @@ pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
             velocity: ground(rebound.ball_velocity),
             spin: ground(rebound.ball_spin),
         },
+        club_speed: setup.swing.speed,
+        head: Head::new(&setup.club),
         club_velocity: ground(rebound.club_velocity),
         club_spin: ground(rebound.club_spin),
         impulse: ground(rebound.impulse),
