@@ -20,19 +20,15 @@ const SPIN_OVER: f64 = 100.0;
 /// of the column before.
 const MEASURED: [f64; 2] = [13.7, 80.2];
 
-const ROWS: usize = DRAG.len();
-
-/// Spins of the rows, rad/s.
-static SPIN_OF_ROW: LazyLock<[f64; ROWS]> = LazyLock::new(|| {
-    let [least, most] = SPINS.map(|rpm| rpm * RPM);
-    std::array::from_fn(|row| least + (most - least) / (ROWS - 1) as f64 * row as f64)
-});
-
 static GRID: LazyLock<CoefficientGrid> = LazyLock::new(|| {
     let [least, most] = SPINS.map(|rpm| rpm * RPM);
     let [slowest, .., fastest] = SPEEDS;
+    let intervals = DRAG.len() - 1;
+    let spins: Vec<f64> = (0..DRAG.len())
+        .map(|row| least + (most - least) / intervals as f64 * row as f64)
+        .collect();
     let tables = [&DRAG, &LIFT].map(|table| table.as_flattened());
-    let cells = cells(&SPEEDS, SPIN_OF_ROW.as_slice(), tables);
+    let cells = cells(&SPEEDS, &spins, tables);
     CoefficientGrid {
         spin: Some(LawTableAxis {
             variable: LawVariable::Spin,
@@ -45,7 +41,7 @@ static GRID: LazyLock<CoefficientGrid> = LazyLock::new(|| {
             over: SPEED_OVER,
         }),
         lift_onset: Some((LawVariable::Spin, 1.0 / least)),
-        surface: Surface::new(&SPEEDS, SPIN_OF_ROW.as_slice(), cells.leak()),
+        surface: Surface::new(&SPEEDS, spins.leak(), cells.leak()),
     }
 });
 
