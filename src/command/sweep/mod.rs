@@ -18,7 +18,9 @@ use crate::command::args::{refuse_threads, stated};
 use crate::command::files::refused;
 use crate::command::files::{Destination, DestinationKind};
 use crate::command::interrupt;
-use crate::command::output::{Answer, bar, is_json, note, say_error, warn, warnings};
+use crate::command::output::{
+    Answer, bar, is_json, note, say_error, stated_system, warn, warnings,
+};
 use crate::command::rows_target::RowsTarget;
 use crate::report::{Ending, Reply};
 use crate::units::{Message, counted};
