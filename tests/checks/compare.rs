@@ -221,7 +221,7 @@ fn exact_share_of_a_difference_in_one_parameter() {
             name,
         );
         assert_eq!(
-            found.by_parameter.shares[0].cause.is_discrete(),
+            found.by_parameter.shares[0].at_once,
             ![
                 "swing.speed",
                 "club.loft",

@@ -257,7 +257,7 @@ fn the_hand_is_read_written_and_compared() {
     .unwrap();
     let shares = there.of(Outcome::Lateral).unwrap().by_parameter.shares;
     assert!(
-        shares.len() == 1 && shares[0].cause.name() == "golfer" && shares[0].cause.is_discrete(),
+        shares.len() == 1 && shares[0].cause.name() == "golfer" && shares[0].at_once,
         "{shares:?}"
     );
     close(
