@@ -1,24 +1,13 @@
 //! Meaning of the columns of an export.
 
-use super::shot::{Club, Origin, RowParameter};
-use crate::drive::Outcome;
+use super::shot::{Club, Origin};
 use crate::error::Result;
-use crate::parameters::{Golfer, Parameter, Setup};
+use crate::parameters::{Golfer, Parameter};
 use crate::table::{
     Column, Content, TableHead, TextTable, air_of_rows, assume_unit, club_column, columns_remark,
-    ignore_stated_air, is_condition_head, missing_of_launch, near_known, split_unit, with_nearest,
-    words,
+    is_condition_head, missing_of_launch, near_known, split_unit, with_nearest, words,
 };
 use crate::units::Message;
-
-/// A column with the values of an outcome.
-#[derive(Clone, Debug)]
-pub(super) struct MeasuredColumn {
-    pub at: usize,
-    pub of: Outcome,
-    /// Origin of the column's values, if the column head states it.
-    pub origin: Option<Origin>,
-}
 
 /// The column heads of an export, interpreted.
 #[derive(Clone, Debug)]
@@ -26,11 +15,12 @@ pub struct ShotColumns {
     /// Cell separator.
     pub separator: u8,
     pub(crate) head: TableHead,
-    pub(super) read: Vec<MeasuredColumn>,
+    /// Origin of each column's values, if its head states it.
+    pub(super) origins: Vec<Option<Origin>>,
     /// Indices of the columns of the club: speed, attack angle, path, face angle.
     pub(super) club: [Option<usize>; 4],
     /// Parameters that are not part of the launch.
-    pub(super) other_parameters: Vec<RowParameter>,
+    pub(crate) other_parameters: Vec<&'static Parameter>,
     /// Column that states whether the spin is measured or estimated.
     pub(super) spin_type: Option<usize>,
     /// Column that states the conditions for which the values hold, such as normalized weather.
@@ -45,34 +35,25 @@ pub struct ShotColumns {
 }
 
 impl ShotColumns {
-    /// Interprets the column heads of a table of shots. If `is_air_given` is true, columns that
-    /// state the air are ignored.
+    /// Interprets the column heads of a table of shots.
     ///
     /// # Errors
     /// [`Error::Table`] if a launch column is missing, or if a unit has the wrong dimension.
-    pub(super) fn read(
-        setup: &Setup<f64>,
-        mut head: TableHead,
-        table: &TextTable,
-        is_air_given: bool,
-    ) -> Result<Self> {
-        if is_air_given {
-            ignore_stated_air(&mut head.columns);
-        }
+    pub(super) fn read(mut head: TableHead, table: &TextTable) -> Result<Self> {
         let repeated = head.ignore_repeated();
         // `add_remarks` lists all unused columns, so drop the head's own remarks on them
         head.remarks.clear();
         let is_text = |at: usize| head.columns[at].content == Content::Note;
         let mut found = Self {
             separator: table.separator,
-            read: vec![],
+            origins: head.heads.iter().map(|head| origin(head)).collect(),
             club: Default::default(),
             other_parameters: vec![],
             spin_type: None,
             condition: None,
             club_name: club_column(&head.heads, is_text),
-            golfer: setup.golfer,
-            air: setup.air.density,
+            golfer: table.setup.golfer,
+            air: table.setup.air.density,
             remarks: vec![],
             head,
         };
@@ -118,11 +99,11 @@ impl ShotColumns {
         &mut self,
         first: &[&'static Parameter],
     ) -> std::result::Result<(), &'static str> {
-        let own = self.other_parameters();
+        let own = &self.other_parameters;
         if let Some(missing) = first.iter().find(|parameter| !own.contains(parameter)) {
             return Err(missing.name);
         }
-        let place = |own: &RowParameter| first.iter().position(|of| *of == own.parameter);
+        let place = |own: &&Parameter| first.iter().position(|of| of == own);
         self.other_parameters
             .sort_by_key(|own| place(own).unwrap_or(first.len()));
         Ok(())
@@ -133,14 +114,10 @@ impl ShotColumns {
     fn add(&mut self, at: usize) -> Result<()> {
         let column = &mut self.head.columns[at];
         match column.content {
-            Content::Outcome(of) => {
-                column.check_unit()?;
-                let origin = origin(&self.head.heads[at]);
-                self.read.push(MeasuredColumn { at, of, origin });
-            }
+            Content::Outcome(_) => column.check_unit()?,
             Content::Input(parameter) if !parameter.is_of_strike() && !parameter.is_of_launch() => {
                 column.check_unit()?;
-                self.other_parameters.push(RowParameter { at, parameter });
+                self.other_parameters.push(parameter);
             }
             // a flight from a launch does not depend on the club: read a parameter of the club as
             // club data
@@ -185,22 +162,18 @@ impl ShotColumns {
     /// cells in the first rows can be read.
     fn add_remarks(&mut self, repeated: Option<Message>) {
         let head = &self.head;
-        let has_air = |air: &&RowParameter| {
-            let mut cells = head.rows.iter().map(|row| &row[air.at]);
-            cells.any(|cell| head.columns[air.at].stated_air(cell).is_ok())
+        let has_air = |(at, air): &(usize, &Column)| {
+            let mut cells = head.rows.iter().map(|row| &row[*at]);
+            cells.any(|cell| air.stated_air(cell).is_ok())
         };
-        let stated_air = self.stated_air().filter(has_air);
-        let is_unread_air =
-            |row: &RowParameter| head.columns[row.at].is_stated_air() && stated_air.is_none();
-        let is_parameter = |row: &RowParameter, at: usize| row.at == at && !is_unread_air(row);
-        let is_read = |at: usize| {
-            self.read.iter().any(|read| read.at == at)
-                || self
-                    .other_parameters
-                    .iter()
-                    .any(|row| is_parameter(row, at))
-                || self.club.contains(&Some(at))
-                || [self.spin_type, self.club_name].contains(&Some(at))
+        let stated_air = head.stated_air().filter(has_air);
+        let is_read = |at: usize| match head.columns[at].content {
+            Content::Outcome(_) => true,
+            Content::Input(_) if head.columns[at].is_stated_air() => stated_air.is_some(),
+            Content::Input(parameter) => {
+                self.other_parameters.contains(&parameter) || self.club.contains(&Some(at))
+            }
+            _ => [self.spin_type, self.club_name].contains(&Some(at)),
         };
         let is_reported_elsewhere = |column: &Column| {
             let has_remark = [Content::Written, Content::Repeated].contains(&column.content);
@@ -217,7 +190,7 @@ impl ShotColumns {
             }
         });
         let not_read: Vec<String> = not_read.collect();
-        let stated_air = stated_air.map(|air| air_of_rows(&head.columns[air.at].head));
+        let stated_air = stated_air.map(|(_, air)| air_of_rows(&air.head));
         let replaced = (!head.flown.is_empty()).then_some(
             "the column Line and all after it, which an earlier 'fly' added, are replaced",
         );
@@ -232,20 +205,6 @@ impl ShotColumns {
             ));
         let remarks: Vec<Message> = remarks.collect();
         self.remarks.extend(remarks);
-    }
-
-    /// The parameters that each row states in addition to the launch.
-    pub(crate) fn other_parameters(&self) -> Vec<&'static Parameter> {
-        self.other_parameters
-            .iter()
-            .map(|row| row.parameter)
-            .collect()
-    }
-
-    /// The air column; `None` if the export states no air.
-    pub(super) fn stated_air(&self) -> Option<&RowParameter> {
-        let mut parameters = self.other_parameters.iter();
-        parameters.find(|row| self.head.columns[row.at].is_stated_air())
     }
 }
 

@@ -1,7 +1,7 @@
 //! Reads the rows of an export as shots.
 
 use super::columns::ShotColumns;
-use super::shot::{Club, NOT_COMPARED, Origin, REFUSED, RowParameter, Shot, StatedValue, within};
+use super::shot::{Club, NOT_COMPARED, Origin, REFUSED, Shot, StatedValue, within};
 use crate::drive::Outcome;
 use crate::table::{
     CONDITIONS, Content, Record, Refusal, StatedConditions, air_of_setup, cells, conditions,
@@ -60,14 +60,16 @@ impl ShotColumns {
             let (at, column) = self.head.column(Content::Outcome(Outcome::CarryDistance))?;
             column.value(cell(at)).ok().flatten()
         };
-        for read in &self.read {
-            let (of, column) = (read.of, &self.head.columns[read.at]);
+        for (at, column) in self.head.columns.iter().enumerate() {
+            let Content::Outcome(of) = column.content else {
+                continue;
+            };
             let name = &column.head;
             let is_condition = CONDITIONS.contains(&of);
-            match column.value(cell(read.at)) {
+            match column.value(cell(at)) {
                 Ok(None) => {}
                 Ok(Some(value)) => {
-                    let origin = read.origin.or(spin.filter(|_| OF_SPIN.contains(&of)));
+                    let origin = self.origins[at].or(spin.filter(|_| OF_SPIN.contains(&of)));
                     match not_compared(of, value, carry).filter(|_| !is_condition) {
                         Some(why) => shot.notes.push(format!("{NOT_COMPARED}{name}: {why}")),
                         None => shot.values.push(StatedValue { of, value, origin }),
@@ -108,8 +110,8 @@ impl ShotColumns {
         shot.point = wrong.map_or_else(|| self.point(&stated, row), Err);
         add_notes(&mut shot, &stated, |of| self.head.name_of(of));
         if shot.point.is_ok()
-            && let Some(air) = self.stated_air()
-            && let Err(why) = columns[air.at].stated_air(&row[air.at])
+            && let Some((at, air)) = self.head.stated_air()
+            && let Err(why) = air.stated_air(cell(at))
         {
             shot.notes.push(air_of_setup(&why));
         }
@@ -124,15 +126,16 @@ impl ShotColumns {
             |of| self.head.name_of(of),
             |of| self.head.column(Content::Outcome(of)).is_some(),
         )?;
-        for stated in &self.other_parameters {
-            let RowParameter { at, parameter } = stated;
-            let column = &self.head.columns[*at];
+        for &parameter in &self.other_parameters {
+            let Some((at, column)) = self.head.column(Content::Input(parameter)) else {
+                continue;
+            };
             if column.is_stated_air() {
-                point.push(column.stated_air(&row[*at]).unwrap_or(self.air));
+                point.push(column.stated_air(&row[at]).unwrap_or(self.air));
                 continue;
             }
             let name = &column.head;
-            let value = column.value(&row[*at]);
+            let value = column.value(&row[at]);
             let value =
                 value.map_err(|why| Refusal::new(Refusal::UNREADABLE, format!("{name}: {why}")))?;
             let Some(value) = value else {

@@ -125,7 +125,7 @@ impl Flying {
                 return Ok(None);
             }
             let flying = match &chunk.section {
-                Some(section) => self.of_rows(&section.columns.other_parameters())?,
+                Some(section) => self.of_rows(&section.columns.other_parameters)?,
                 None => self.of_rows(other_parameters)?,
             };
             Ok(Some((flying, chunk)))

@@ -259,13 +259,6 @@ impl Shot {
     }
 }
 
-/// A parameter that is not part of the launch, with the index of its column in the table.
-#[derive(Clone, Debug)]
-pub(super) struct RowParameter {
-    pub at: usize,
-    pub parameter: &'static Parameter,
-}
-
 /// Returns the value if it is in the range of the parameter. `name` is the column head for the
 /// message.
 ///

@@ -56,7 +56,6 @@ pub(super) struct JsonRecords {
 /// The rows of a table, section by section.
 pub(super) struct TableRows {
     table: TextTable,
-    setup: Setup<f64>,
     /// Column heads of the current section.
     columns: Arc<ShotColumns>,
     /// The parameters that the first section states in addition to the launch.
@@ -65,7 +64,6 @@ pub(super) struct TableRows {
     later_parameters: Vec<&'static Parameter>,
     /// True if a later section began after the previous chunk.
     section_began: bool,
-    is_air_given: bool,
     /// Remarks on later sections.
     remarks: Vec<Message>,
 }
@@ -109,7 +107,8 @@ impl Shots {
             Text::of_file(path)?
         };
         text.filter = filter;
-        Self::of_text(setup, text, is_air_given)
+        text.is_air_given = is_air_given;
+        Self::of_text(setup, text)
     }
 
     /// Reads CSV with column heads, or JSON, in UTF-8, UTF-16 or Windows-1252.
@@ -122,15 +121,14 @@ impl Shots {
         name: &str,
         source: impl Read + Send + 'static,
     ) -> Result<Self> {
-        Self::of_text(setup, Text::open(name, source)?, false)
+        Self::of_text(setup, Text::open(name, source)?)
     }
 
-    /// Reads shots from a text that was opened before. If `is_air_given` is true, every row has the
-    /// air of the setup.
+    /// Reads shots from a text that was opened before.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read).
-    pub(crate) fn of_text(setup: &Setup<f64>, text: Text, is_air_given: bool) -> Result<Self> {
+    pub(crate) fn of_text(setup: &Setup<f64>, text: Text) -> Result<Self> {
         if is_json(&text.beginning) {
             if !text.filter.is_empty() {
                 let reason = "`only` selects rows of a table by a column, but these are JSON \
@@ -138,6 +136,7 @@ impl Shots {
                 return Err(text.name.refused(String::new(), reason));
             }
             let is_written = written::begins(&text.beginning);
+            let is_air_given = text.is_air_given;
             let mut records = JsonRecords {
                 name: text.name,
                 source: text.source,
@@ -155,19 +154,17 @@ impl Shots {
             });
         }
         let (table, head) = TextTable::open(text, setup, TableUse::Launches)?;
-        let columns = Arc::new(ShotColumns::read(setup, head, &table, is_air_given)?);
+        let columns = Arc::new(ShotColumns::read(head, &table)?);
         let rows = TableRows {
             table,
-            setup: *setup,
             columns: columns.clone(),
-            first_parameters: columns.other_parameters(),
+            first_parameters: columns.other_parameters.clone(),
             later_parameters: vec![],
             section_began: false,
-            is_air_given,
             remarks: vec![],
         };
         Ok(Self {
-            other_parameters: columns.other_parameters(),
+            other_parameters: columns.other_parameters.clone(),
             columns: Some(columns),
             rows: UnreadRows::Table(Box::new(rows)),
             is_written: false,
@@ -300,13 +297,10 @@ impl TableRows {
     /// Begins a section at a line of column heads. A repetition of the current column heads is
     /// skipped.
     fn begin(&mut self, record: &Record) -> Result<()> {
-        let Some(head) = self
-            .table
-            .section(record, &self.setup, TableUse::Launches)?
-        else {
+        let Some(head) = self.table.section(record)? else {
             return Ok(());
         };
-        let mut columns = ShotColumns::read(&self.setup, head, &self.table, self.is_air_given)?;
+        let mut columns = ShotColumns::read(head, &self.table)?;
         columns.order_parameters_like(&self.first_parameters).map_err(|missing| {
             let reason = format!(
                 "its column heads lack {missing}, which the first section has; give all sections \
@@ -316,10 +310,7 @@ impl TableRows {
                 .name
                 .refused(format!(", line {}", record.line), reason)
         })?;
-        for parameter in columns
-            .other_parameters()
-            .split_off(self.first_parameters.len())
-        {
+        for &parameter in &columns.other_parameters[self.first_parameters.len()..] {
             if !self.later_parameters.contains(&parameter) {
                 self.later_parameters.push(parameter);
             }

@@ -162,7 +162,7 @@ pub(crate) fn air_replaced(head: &str) -> String {
 }
 
 /// Ignores the columns in which an export states the air, because the setup gives the air.
-pub(crate) fn ignore_stated_air(columns: &mut [Column]) {
+pub(super) fn ignore_stated_air(columns: &mut [Column]) {
     for column in columns.iter_mut().filter(|column| column.is_stated_air()) {
         (column.content, column.is_overridden_air) = (Content::Note, true);
     }

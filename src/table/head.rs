@@ -211,6 +211,12 @@ impl TableHead {
         columns.find(|(_, column)| column.content == content)
     }
 
+    /// The column in which an export states the air of each row, and its index.
+    pub fn stated_air(&self) -> Option<(usize, &Column)> {
+        let mut columns = self.columns.iter().enumerate();
+        columns.find(|(_, column)| column.is_stated_air())
+    }
+
     /// Column head of an outcome, for messages; the name of the outcome if it has no column.
     pub fn name_of(&self, of: Outcome) -> String {
         let column = self.column(Content::Outcome(of));

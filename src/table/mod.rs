@@ -25,7 +25,7 @@ mod sign_conventions;
 mod table_use;
 mod text;
 
-pub(crate) use air::{air_of_rows, air_of_setup, air_replaced, ignore_stated_air};
+pub(crate) use air::{air_of_rows, air_of_setup, air_replaced};
 pub(crate) use column::{Column, Content, TableFormat};
 pub(crate) use conditions::{
     ConditionFault, LAUNCH_PARAMETERS, StatedConditions, conditions, contradiction,

@@ -1,6 +1,7 @@
 //! Reader of text tables: title lines, column heads, rows, and further lines of column heads that
 //! begin sections.
 
+use super::air::ignore_stated_air;
 use super::encoding::{Encoding, decoded};
 use super::head::TableHead;
 use super::launch_monitor::{is_export, is_head, units_row};
@@ -65,6 +66,8 @@ pub(crate) struct Text {
     encoding: Encoding,
     /// Selection of the rows of a table.
     pub filter: RowFilter,
+    /// True if every row has the air of the setup, even if an export states other air.
+    pub is_air_given: bool,
 }
 
 impl Text {
@@ -86,6 +89,7 @@ impl Text {
             source,
             encoding,
             filter: RowFilter::default(),
+            is_air_given: false,
         })
     }
 
@@ -129,6 +133,9 @@ pub(crate) struct TextTable {
     /// The line of units of the current section; `None` without this line.
     units: Option<Vec<String>>,
     pub filter: RowFilter,
+    pub setup: Setup<f64>,
+    pub table_use: TableUse,
+    is_air_given: bool,
 }
 
 impl TextTable {
@@ -144,6 +151,7 @@ impl TextTable {
             source,
             encoding,
             filter,
+            is_air_given,
         } = text;
         let Some(place) = HeadPlace::find(&beginning) else {
             return Err(name.empty());
@@ -163,6 +171,9 @@ impl TextTable {
             heads: vec![],
             units: None,
             filter,
+            setup: *setup,
+            table_use,
+            is_air_given,
         };
         while let Some(line) = table.name.io(table.lines.line())? {
             if line.0 >= place.line {
@@ -173,7 +184,7 @@ impl TextTable {
         let Some(record) = table.record()? else {
             return Err(table.name.empty());
         };
-        let mut head = table.head(&record, setup, table_use)?;
+        let mut head = table.head(&record)?;
         table.has_sections = head.format.is_export;
         (table.heads, table.units) = (head.heads.clone(), head.units.clone());
         table.encoding_of_head = table.lines.encoding;
@@ -188,13 +199,8 @@ impl TextTable {
     ///
     /// # Errors
     /// The errors of [`open`](Self::open).
-    pub fn section(
-        &mut self,
-        record: &Record,
-        setup: &Setup<f64>,
-        table_use: TableUse,
-    ) -> Result<Option<TableHead>> {
-        let head = self.head(record, setup, table_use)?;
+    pub fn section(&mut self, record: &Record) -> Result<Option<TableHead>> {
+        let head = self.head(record)?;
         if head.heads == self.heads && head.units == self.units {
             return Ok(None);
         }
@@ -203,12 +209,7 @@ impl TextTable {
     }
 
     /// Reads a line of column heads and the line of units below it.
-    fn head(
-        &mut self,
-        record: &Record,
-        setup: &Setup<f64>,
-        table_use: TableUse,
-    ) -> Result<TableHead> {
+    fn head(&mut self, record: &Record) -> Result<TableHead> {
         if let Some(refusal) = record.unclosed() {
             return Err(self.name.refused(String::new(), refusal.reason));
         }
@@ -226,6 +227,7 @@ impl TextTable {
         let below = self.record()?;
         let first = below.as_ref().map(|below| self.cells(below));
         let file = &self.name.0;
+        let (setup, table_use) = (&self.setup, self.table_use);
         let mut head = TableHead::read(setup, heads, first, self.separator, table_use, file)?;
         if head.units.is_none()
             && let Some(below) = below
@@ -233,7 +235,10 @@ impl TextTable {
             self.give_back(below);
         }
         let rows = self.rows_ahead(&head);
-        head.interpret(setup, rows, table_use);
+        head.interpret(&self.setup, rows, self.table_use);
+        if self.is_air_given {
+            ignore_stated_air(&mut head.columns);
+        }
         Ok(head)
     }
 

@@ -140,7 +140,7 @@ impl Keys {
         Self {
             of: self.of.clone(),
             other_parameters: columns
-                .other_parameters()
+                .other_parameters
                 .iter()
                 .map(|row| row.name)
                 .collect(),

@@ -26,7 +26,8 @@ impl ShotTable {
     ) -> Result<Self> {
         let mut text = Text::of_file(path)?;
         text.filter = filter;
-        Self::read_rows(setup, text, TableUse::Measurements, is_air_given)
+        text.is_air_given = is_air_given;
+        Self::read_rows(setup, text, TableUse::Measurements)
     }
 
     /// Reads launches and club columns from a CSV file. A row needs no measurement other than its
@@ -37,7 +38,7 @@ impl ShotTable {
     pub fn open_launches(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
         let mut text = Text::of_file(path)?;
         text.filter = filter;
-        Self::read_rows(setup, text, TableUse::Deliveries, false)
+        Self::read_rows(setup, text, TableUse::Deliveries)
     }
 
     /// Reads measured shots from CSV text. Also reads messages of GSPro Open Connect, and exports
@@ -55,27 +56,18 @@ impl ShotTable {
         let mut bytes = vec![];
         SourceName(file.into()).io(source.read_to_end(&mut bytes))?;
         let text = Text::open(file, Cursor::new(bytes))?;
-        Self::read_rows(setup, text, TableUse::Measurements, false)
+        Self::read_rows(setup, text, TableUse::Measurements)
     }
 
     /// Reads CSV text. For deliveries, a row needs no measurement other than its launch.
-    fn read_rows(
-        setup: &Setup<f64>,
-        text: Text,
-        table_use: TableUse,
-        is_air_given: bool,
-    ) -> Result<Self> {
+    fn read_rows(setup: &Setup<f64>, text: Text, table_use: TableUse) -> Result<Self> {
         let file = text.name.0.clone();
         if is_json(&text.beginning) {
-            return Self::of_messages(
-                setup,
-                Shots::of_text(setup, text, is_air_given)?,
-                &file,
-                table_use,
-            );
+            let shots = Shots::of_text(setup, text)?;
+            return Self::of_messages(setup, shots, &file, table_use);
         }
         let (mut table, head) = TextTable::open(text, setup, table_use)?;
-        let mut reading = Reading::of_head(setup, &table, head, table_use, is_air_given)?;
+        let mut reading = Reading::of_head(&table, head)?;
         let is_launched = reading.is_launched;
         let mut rows = ShotRows::new(&file, table.title.clone());
         rows.begin(None, &reading);
@@ -84,10 +76,10 @@ impl ShotTable {
                 TableEntry::Row(record) => rows.take(&reading, &record, table.separator)?,
                 TableEntry::Excluded => rows.skip(),
                 TableEntry::Head(record) => {
-                    let Some(head) = table.section(&record, setup, table_use)? else {
+                    let Some(head) = table.section(&record)? else {
                         continue;
                     };
-                    reading = Reading::of_head(setup, &table, head, table_use, is_air_given)?;
+                    reading = Reading::of_head(&table, head)?;
                     if reading.is_launched != is_launched {
                         let reason = "launches and deliveries are mixed: the rows of this section \
                                       are of another kind than the rows before it; use a separate \

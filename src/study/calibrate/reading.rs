@@ -9,7 +9,7 @@ use crate::shots::{Club as ClubOfShot, Shot};
 use crate::table::{
     CONDITIONS, Column, ConditionFault, Content, LAUNCH_PARAMETERS, StatedConditions as Launch,
     TableFormat, TableHead, TableUse, TextTable, club_column, columns_remark, conditions,
-    contradiction, has_whole_launch, heads_of, ignore_columns, ignore_stated_air, implausible_club,
+    contradiction, has_whole_launch, heads_of, ignore_columns, implausible_club,
     implausible_launch, impossible, is_straight_by_assumption, missing_launch_remark, near_known,
     not_compared, outside, redundant_spins_remark, without_redundant_spins,
 };
@@ -33,6 +33,7 @@ pub(super) struct Reading {
 }
 
 /// A row that was read successfully.
+#[derive(Default)]
 pub(super) struct ReadRow {
     pub shot: MeasuredShot,
     /// Column heads of measured values that are not compared because launch direction or spin axis
@@ -50,22 +51,6 @@ pub(super) struct ReadRow {
 }
 
 impl ReadRow {
-    fn new(row: usize) -> Self {
-        Self {
-            shot: MeasuredShot {
-                row,
-                inputs: vec![],
-                measured: vec![],
-                stationary: vec![],
-            },
-            not_compared: vec![],
-            contradiction: None,
-            implausible: vec![],
-            no_air: None,
-            not_stated: vec![],
-        }
-    }
-
     /// Returns the row if it has a measurement or a stationary parameter.
     fn checked(self) -> Result<Self, RowError> {
         if !(self.shot.measured.is_empty() && self.shot.stationary.is_empty()) {
@@ -126,17 +111,11 @@ impl Reading {
     /// # Errors
     /// [`Error::Table`] for a wrong unit, a sigma without its measurement, and an export whose rows
     /// are neither launches nor deliveries.
-    pub fn of_head(
-        setup: &Setup<f64>,
-        table: &TextTable,
-        mut head: TableHead,
-        table_use: TableUse,
-        is_air_given: bool,
-    ) -> Read<Self> {
+    pub fn of_head(table: &TextTable, mut head: TableHead) -> Read<Self> {
+        let TextTable {
+            setup, table_use, ..
+        } = *table;
         let refused = |place: String, reason: String| table.name.refused(place, reason);
-        if is_air_given {
-            ignore_stated_air(&mut head.columns);
-        }
         let is_export = head.format.is_export;
         let mut remarks = head.column_remarks();
         if !is_export && table_use == TableUse::Deliveries {
@@ -174,7 +153,7 @@ impl Reading {
         let is_text = |at: usize| head.columns[at].content == Content::Note;
         let club_name = club_column(&head.heads, is_text);
         let reading = Self {
-            setup: *setup,
+            setup,
             is_launched,
             table_use,
             club_name,
@@ -337,8 +316,14 @@ impl Reading {
         let is_measured = |of| self.is_measurement(of) && !redundant.contains(&of);
         let is_straight = self.is_launched && is_straight_by_assumption(&stated);
         let has_no_club = self.is_delivery() && self.has_no_club(values);
-        let mut row = ReadRow::new(row);
-        row.contradiction = self.contradiction(stated);
+        let mut row = ReadRow {
+            shot: MeasuredShot {
+                row,
+                ..MeasuredShot::default()
+            },
+            contradiction: self.contradiction(stated),
+            ..ReadRow::default()
+        };
         let mut at_shot = self.setup;
         let mut missing: Option<RowError> = None;
         for (at, column) in self.head.columns.iter().enumerate() {

@@ -339,8 +339,7 @@ impl ShotRows {
         let mut given: Vec<Message> = vec![];
         let mut remarks = vec![];
         for (section, shots) in self.sections_with_shots() {
-            let mut columns = section.reading.head.columns.iter();
-            let Some(column) = columns.find(|column| column.is_stated_air()) else {
+            let Some((_, column)) = section.reading.head.stated_air() else {
                 continue;
             };
             let Content::Input(density) = column.content else {

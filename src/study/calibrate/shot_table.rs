@@ -66,7 +66,7 @@ impl ShotTable {
 }
 
 /// A measured shot: its inputs and its measured outcomes.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct MeasuredShot {
     /// Row of the table, from 1.
     pub row: usize,

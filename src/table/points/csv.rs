@@ -16,7 +16,6 @@ use std::path::{Path, PathBuf};
 /// semicolons or tabs separate cells.
 pub(super) struct CsvRows {
     path: PathBuf,
-    setup: Setup<f64>,
     table: TextTable,
     columns: PointColumns,
     /// The column heads of the current section.
@@ -42,10 +41,8 @@ impl CsvRows {
         let (table, mut head) = TextTable::open(text, setup, TableUse::Points)?;
         let columns = PointColumns::new(setup, &table.name, &mut head)?;
         check_units(&table.name, &head, &columns.at)?;
-        let (path, setup) = (path.to_owned(), *setup);
         Ok(Self {
-            path,
-            setup,
+            path: path.to_owned(),
             table,
             at: columns.at.clone(),
             columns,
@@ -59,11 +56,11 @@ impl CsvRows {
     /// Begins a section at a line of column heads. The section must have the parameters of the
     /// first section; other columns are not read.
     fn begin(&mut self, record: &Record) -> Result<()> {
-        let Some(mut head) = self.table.section(record, &self.setup, TableUse::Points)? else {
+        let Some(mut head) = self.table.section(record)? else {
             return Ok(());
         };
         let (file, parameters) = (&self.table.name, &self.columns.parameters);
-        let own = PointColumns::new(&self.setup, file, &mut head)?;
+        let own = PointColumns::new(&self.table.setup, file, &mut head)?;
         let at = own.places_of(parameters).map_err(|missing| {
             let reason = format!(
                 "the column heads in line {} lack {missing}; the column heads at the top of the \
