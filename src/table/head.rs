@@ -38,7 +38,7 @@ pub(crate) struct TableHead {
     /// The first rows of the section that have a cell for each head. Units, decimal mark and signs
     /// of the columns are detected from them. Empty for a table in SI.
     pub rows: Vec<Vec<String>>,
-    /// Remarks on ignored columns.
+    /// Remarks on columns, such as ignored ones.
     pub remarks: Vec<Message>,
     /// The columns without a unit, each with the assumed unit.
     pub assumed_units: Vec<String>,

@@ -106,7 +106,7 @@ impl ShotTable {
         let remarks = shots.remarks().to_vec();
         let shots = shots.all()?;
         let mut reading = Reading::of_shots(setup, &shots, &other_parameters, table_use);
-        reading.remarks.extend(remarks);
+        reading.head.remarks.extend(remarks);
         let mut rows = ShotRows::new(file, None);
         rows.begin(None, &reading);
         for shot in &shots {

@@ -23,8 +23,6 @@ const MOST: f64 = 1e9;
 pub(super) struct Reading {
     pub setup: Setup<f64>,
     pub head: TableHead,
-    /// Remarks on the columns.
-    pub remarks: Vec<Message>,
     pub is_launched: bool,
     /// Measurements, or deliveries: the launch is then the measurement, and no ball flies.
     pub table_use: TableUse,
@@ -150,6 +148,7 @@ impl Reading {
             "uncertainties of launches are not used, since each ball flies from its measured launch",
             &unused,
         ));
+        head.remarks = remarks;
         let is_text = |at: usize| head.columns[at].content == Content::Note;
         let club_name = club_column(&head.heads, is_text);
         let reading = Self {
@@ -158,7 +157,6 @@ impl Reading {
             table_use,
             club_name,
             head,
-            remarks,
         };
         match reading.why_not_flown() {
             Some(reason) => Err(refused(String::new(), reason)),
@@ -218,13 +216,13 @@ impl Reading {
             club_name: None,
             head: TableHead {
                 columns,
+                remarks,
                 format: TableFormat {
                     is_export: true,
                     ..TableFormat::default()
                 },
                 ..TableHead::default()
             },
-            remarks,
         }
     }
 

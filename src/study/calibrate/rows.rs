@@ -260,7 +260,7 @@ impl ShotRows {
     fn remarks(&mut self, left_out: Vec<Message>) -> Vec<Message> {
         let mut remarks: Vec<Message> = vec![];
         for section in &self.sections {
-            let of_section = section.reading.remarks.iter();
+            let of_section = section.reading.head.remarks.iter();
             remarks.extend(of_section.map(|remark| section.remark(remark)));
         }
         remarks.extend(left_out);

@@ -125,8 +125,8 @@ impl PointRows for CsvRows {
     }
 
     fn rewind(&mut self) -> Result<()> {
-        // reopen: a decoded text is not seekable
-        *self = Self::open(&self.setup, &self.path)?;
+        // a decoded text is not seekable
+        *self = Self::open(&self.table.setup, &self.path)?;
         Ok(())
     }
 
