@@ -81,37 +81,31 @@ fn density_in(text: &str, of_table: Option<DecimalMark>) -> Option<f64> {
 }
 
 /// Reads the column that states altitude and temperature, such as `Condition` of TrackMan, as the
-/// air of each row. A column of the density, or weather in the setup, replaces this air.
+/// air of each row: the head is known, and one of the first `rows` has a number. A column of the
+/// density, or weather in the setup, replaces this air.
 pub(super) fn weather_of_rows(setup: &Setup<f64>, columns: &mut [Column], rows: &[Vec<String>]) {
-    let Ok(density) = setup.parameter(AIR) else {
-        return;
-    };
-    if let Some(at) = weather_column(columns, rows) {
-        let column = &mut columns[at];
-        if setup.why_replaced(density).is_some() {
-            (column.content, column.is_overridden_air) = (Content::Note, true);
-        } else {
-            (column.content, column.is_weather) = (Content::Input(density), true);
-        }
-    }
-}
-
-/// Index of the column whose texts describe the weather of each row: the head is known, and one of
-/// the first `rows` has a number. `None` if a column states the density.
-fn weather_column(columns: &[Column], rows: &[Vec<String>]) -> Option<usize> {
     let is_density = |column: &Column| match column.content {
         Content::Input(parameter) => parameter.name == AIR,
         _ => column.is_overridden_air,
     };
     if columns.iter().any(is_density) {
-        return None;
+        return;
     }
     let has_number = |at: usize| {
         let is_digit = |c: char| c.is_ascii_digit();
         rows.iter().any(|row| row[at].contains(is_digit))
     };
     let is_known = |at: usize| is_condition_head(&words(&columns[at].head));
-    (0..columns.len()).find(|at| is_known(*at) && has_number(*at))
+    let weather = (0..columns.len()).find(|at| is_known(*at) && has_number(*at));
+    let (Some(at), Ok(density)) = (weather, setup.parameter(AIR)) else {
+        return;
+    };
+    let column = &mut columns[at];
+    if setup.why_replaced(density).is_some() {
+        (column.content, column.is_overridden_air) = (Content::Note, true);
+    } else {
+        (column.content, column.is_weather) = (Content::Input(density), true);
+    }
 }
 
 /// The text with a space before and after each comma and semicolon that is not in a number, and

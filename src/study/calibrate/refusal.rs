@@ -9,8 +9,6 @@ struct Group {
     reason: String,
     /// True if all rows have exactly the same reason.
     is_same: bool,
-    /// True if the reason lies in the setup, so that the removal of rows does not help.
-    is_of_the_setup: bool,
 }
 
 /// Error for failed rows, given as pairs of row number and error. The message begins with `what`.
@@ -48,19 +46,17 @@ fn refusal(failed: &[(usize, Error)]) -> String {
                 group.rows.push(*row);
                 group.is_same &= group.reason == reason;
             }
-            None => {
-                let is_of_the_setup = error.status() == "diverged";
-                groups.push(Group {
-                    rows: vec![*row],
-                    reason,
-                    is_same: true,
-                    is_of_the_setup,
-                });
-            }
+            None => groups.push(Group {
+                rows: vec![*row],
+                reason,
+                is_same: true,
+            }),
         }
     }
     let messages: Vec<String> = groups.iter().map(Group::message).collect();
-    let advice = match groups.iter().all(|group| group.is_of_the_setup) {
+    // the step of the setup diverges, so that the removal of rows does not help
+    let mut errors = failed.iter().map(|(_, error)| error);
+    let advice = match errors.all(|error| error.status() == "diverged") {
         true => "",
         false => {
             "; correct these rows or take them out, or start the fit elsewhere (`set`, or `fit \
@@ -76,7 +72,6 @@ impl Group {
             rows,
             reason,
             is_same,
-            ..
         } = self;
         let first = rows.first().copied().unwrap_or_default();
         let rows = numbered(rows);
