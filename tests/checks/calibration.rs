@@ -1200,7 +1200,8 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
         .collect::<Vec<_>>()
         .join("\n");
     for words in [
-        "not used: Date, Est. Total Flat - Length",
+        "not used: Date\n",
+        "the ground of the launch monitor is not known: Est. Total Flat - Length",
         "left out: Club Speed, Smash Factor",
         "3 yd is taken for each",
     ] {
