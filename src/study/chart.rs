@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 use crate::optimize::continuation::{
     AdaptiveStep, LONGEST, RADIUS, TOO_FAR, locate_change, predicted, relative_distance,
 };
-use crate::optimize::{Bounds, Iteration, Observer, Options};
+use crate::optimize::{Iteration, Observer, Options};
 use crate::parameters::Setup;
 use crate::units::Message;
 use std::rc::Rc;
@@ -457,9 +457,7 @@ impl Follower<'_> {
             // there is no sensitivity at a change of the active set: predict no change
             Err(_) => vec![0.0; self.search.vary.len()],
         };
-        let ranges = self.search.vary.iter().map(|vary| (vary.low, vary.high));
-        let (low, high) = ranges.unzip();
-        let bounds = Bounds::new(low, high)?;
+        let bounds = self.search.domain()?.variables;
         let predicted = predicted(&here.best.solution.x, &rates, to - here.at, &bounds);
         let mut setup = here.best.setup;
         setup.set_value(self.along.parameter, Some(to))?;
