@@ -56,6 +56,7 @@ impl SweepDefinition {
     }
 
     /// JSON for the metadata of each file.
+    #[cfg(feature = "parquet")]
     pub(crate) fn text(&self) -> String {
         // serialization cannot fail: the fields are strings and integers
         serde_json::to_string(self).unwrap_or_default()

@@ -188,9 +188,9 @@ fn the_answer_for_an_average_names_the_command_for_an_own_loft() {
 #[test]
 fn a_comparison_in_json_has_the_advice_on_the_loft() {
     for (set_a, has_advice) in [("swing.speed=95mph", true), ("club.loft=10deg", false)] {
-        let words = ["compare", "tour-average", "--set", set_a];
-        let (_, answer) =
-            json(&[&words[..], &["--set-b", "air.density=1.1kg/m^3", "--json"]].concat());
+        let set_b = "air.density=1.1kg/m^3";
+        let words = ["compare", "tour-average", "--set", set_a, "--set-b", set_b];
+        let (_, answer) = json(&words);
         let advice = answer["advice"].as_str().unwrap_or_default();
         assert_eq!(advice.contains("state your loft"), has_advice, "{advice}");
     }

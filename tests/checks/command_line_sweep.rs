@@ -633,7 +633,7 @@ fn a_file_that_is_made_while_a_sweep_runs_stays_and_so_do_the_rows() {
         .collect();
     let (status, printed) = finish(start(&other, &file, &["--resume"]));
     assert!(
-        status == Some(2) && printed.contains("the outcomes differ"),
+        status == Some(2) && printed.contains("(different outcomes)"),
         "{printed}"
     );
     assert_eq!(finish(start(&many(), &file, &["--resume"])).0, Some(0));
