@@ -51,17 +51,17 @@ def test_the_package_passes_a_strict_type_checker() -> None:
     run("mypy", "--strict", "--python-version", "3.10", str(PACKAGE))
 
 
-def test_the_package_passes_another_type_checker() -> None:
-    pytest.importorskip("pyright")
-    run("pyright", "--pythonpath", sys.executable, str(PACKAGE))
-
-
-@pytest.mark.parametrize("checker", ["mypy", "pyright"])
-def test_examples_and_notebooks_pass_a_type_checker(checker: str, tmp_path: Path) -> None:
-    pytest.importorskip(checker)
+def examples_and_notebooks(folder: Path) -> list[str]:
     examples = [str(file) for file in EXAMPLES if file.name not in NEEDS]
-    files = [*examples, *code_of_notebooks(tmp_path)]
-    if checker == "mypy":
-        run("mypy", "--strict", "--config-file", "pyproject.toml", *files)
-    else:
-        run("pyright", "--pythonpath", sys.executable, *files)
+    return [*examples, *code_of_notebooks(folder)]
+
+
+def test_examples_and_notebooks_pass_a_strict_type_checker(tmp_path: Path) -> None:
+    files = examples_and_notebooks(tmp_path)
+    run("mypy", "--strict", "--config-file", "pyproject.toml", *files)
+
+
+def test_package_examples_and_notebooks_pass_another_type_checker(tmp_path: Path) -> None:
+    pytest.importorskip("pyright")
+    files = examples_and_notebooks(tmp_path)
+    run("pyright", "--pythonpath", sys.executable, str(PACKAGE), *files)
