@@ -313,7 +313,7 @@ test('a better drive of the sample begins a second search, which ends as that of
 test('the iterations of a search without a parameter have the message of the program', () => {
   const loft = range('club.loft', 4 * DEG, 20 * DEG);
   const nothing = core.iterations({ setup: {}, of: 'carry', vary: [] }).head;
-  assert.deepEqual([nothing.status, nothing.message], ['error', 'nothing to vary: name at least one parameter with a range wider than a single value']);
+  assert.deepEqual([nothing.status, nothing.message], ['error', 'nothing to vary: name at least one parameter with a range wider than a single value, as in vary club.loft=4deg..20deg']);
   const twice = core.iterations({ setup: {}, of: 'carry', vary: [loft, loft] }).head;
   assert.equal(twice.status, 'error');
   assert.match(twice.message, /club\.loft/);
