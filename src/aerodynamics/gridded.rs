@@ -18,7 +18,7 @@ pub(super) fn grid_coefficients<T: Numbers>(
         let speed = coordinate(&grid.speed, &stream);
         let spin = coordinate(&grid.spin, &stream);
         let c = speed.gather(spin, inlined!(|speed, spin| grid.surface.cell(speed, spin)));
-        // u and w: speed and spin within the cell,
+        // u and w: speed and spin within the cell
         let (u, w) = ((speed - c[0]) * c[1], (spin - c[2]) * c[3]);
         let drag = bicubic(&c, DRAG_START, u, w);
         let mut lift = cl_factor * bicubic(&c, LIFT_START, u, w);

@@ -62,7 +62,9 @@ impl SweepDefinition {
         serde_json::to_string(self).unwrap_or_default()
     }
 
-    /// Difference from another definition, in words; `None` if they are equal.
+    /// Difference from another definition, in words; `None` if they are equal. The setup is named
+    /// only if nothing else differs, because its integration step depends on all else, and the
+    /// tolerance only if no option of the sweep differs.
     pub fn difference(&self, other: &Self) -> Option<String> {
         let functions = "C libraries or processors, which round sines and logarithms differently: \
                          functions";
@@ -78,19 +80,23 @@ impl SweepDefinition {
         {
             return Some(format!("{what} {ours} and {theirs}"));
         }
-        let differ = [
-            ("setups", &self.setup, &other.setup),
+        let options = [
             ("points", &self.points, &other.points),
             ("outcomes", &self.outcomes, &other.outcomes),
             ("derivatives", &self.derivatives, &other.derivatives),
-            ("tolerances", &self.largest_defect, &other.largest_defect),
             ("histograms or best rows", &self.summary, &other.summary),
         ];
-        let differ = differ
+        let differ = options
             .into_iter()
             .filter(|(_, ours, theirs)| ours != theirs)
             .map(|(part, ..)| part);
         let differ: Vec<_> = differ.collect();
-        (!differ.is_empty()).then(|| format!("different {}", differ.join(", ")))
+        if !differ.is_empty() {
+            return Some(format!("different {}", differ.join(", ")));
+        }
+        if self.largest_defect != other.largest_defect {
+            return Some("different tolerances".into());
+        }
+        (self.setup != other.setup).then(|| "different setups".into())
     }
 }

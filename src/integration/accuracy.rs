@@ -296,7 +296,7 @@ impl<'s> TestedDrives<'s> {
                 (None, None) if of.needs_run() => continue,
                 _ => {
                     let drive = self.drive(row);
-                    return Err(format!("{name} of {drive} exists with shorter steps only"));
+                    return Err(format!("{name} of {drive} does not exist with all steps"));
                 }
             };
             if error > limit {

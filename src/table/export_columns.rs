@@ -63,6 +63,13 @@ pub(crate) fn has_outcome(columns: &[Column], of: Outcome) -> bool {
         .any(|column| column.content == Content::Outcome(of))
 }
 
+/// True if a column holds the speed of the club.
+fn has_club_speed(columns: &[Column]) -> bool {
+    columns
+        .iter()
+        .any(|column| matches!(column.content, Content::Input(of) if of.name == "swing.speed"))
+}
+
 /// True if no column of a launch is missing.
 pub(crate) fn has_whole_launch(columns: &[Column]) -> bool {
     missing_of_launch(columns).is_empty()
@@ -93,9 +100,7 @@ pub(crate) fn missing_of_launch(columns: &[Column]) -> Vec<&'static str> {
 /// would only be the assumed one.
 pub(crate) fn missing_launch_remark(columns: &[Column]) -> Result<Option<String>, String> {
     let near = near_known(columns);
-    let is_club_speed =
-        |column: &Column| matches!(column.content, Content::Input(of) if of.name == "swing.speed");
-    if !has_outcome(columns, Outcome::BallSpeed) && !columns.iter().any(is_club_speed) {
+    if !has_outcome(columns, Outcome::BallSpeed) && !has_club_speed(columns) {
         let heads: Vec<&str> = columns.iter().map(|column| &column.head[..]).collect();
         return Err(format!(
             "no column has the ball speed or the club speed{near}; give it a head that is known, \
@@ -168,13 +173,17 @@ pub(crate) fn in_degrees<'a>(columns: impl IntoIterator<Item = &'a Column>) -> O
 
 /// Ignores columns of an export:
 ///
-/// - of measurements, columns of the rest position,
-/// - with a whole launch, the smash factor,
+/// - of measurements and for deliveries, columns of the rest position,
+/// - with a whole launch, the smash factor, unless a delivery needs it in place of a club speed,
 /// - with a whole launch, columns of the club that the use of the table does not need,
 /// - with a whole launch, redundant spin columns, if no row chooses among its own spin values.
 ///
 /// Returns remarks, also on unknown columns.
 pub(crate) fn ignore_columns(columns: &mut [Column], table_use: TableUse) -> Vec<Message> {
+    if table_use == TableUse::Deliveries {
+        // a delivery does not depend on the rest position: it is among the columns that are not used
+        ignore_totals(columns);
+    }
     let mut remarks: Vec<Message> = unknown_columns(columns).into_iter().collect();
     if table_use == TableUse::Measurements {
         remarks.extend(ignore_totals(columns));
@@ -184,9 +193,12 @@ pub(crate) fn ignore_columns(columns: &mut [Column], table_use: TableUse) -> Vec
     }
     let reads_club = table_use.reads_club();
     let selects_spin_by_row = table_use.selects_spin_by_row();
+    // for a delivery without a club speed, the smash factor determines the speed
+    let reads_smash_factor = table_use == TableUse::Deliveries && !has_club_speed(columns);
     let is_club = |column: &Column| {
         let is_of_the_strike = !reads_club && column.is_of_the_strike();
-        is_of_the_strike || column.content == Content::Outcome(Outcome::SmashFactor)
+        let is_smash_factor = column.content == Content::Outcome(Outcome::SmashFactor);
+        is_of_the_strike || is_smash_factor && !reads_smash_factor
     };
     let ignored = heads_of(&*columns, is_club);
     if !ignored.is_empty() {

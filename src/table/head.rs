@@ -126,8 +126,8 @@ impl TableHead {
         }
         if self.maker == Some("Foresight") {
             // `Offline` is the lateral position at rest
-            let mut columns = self.columns.iter_mut();
-            if let Some(column) = columns.find(|column| words(&column.head) == "offline") {
+            let columns = self.columns.iter_mut();
+            for column in columns.filter(|column| words(&column.head) == "offline") {
                 column.content = Content::Outcome(Outcome::LateralTotal);
             }
         }
@@ -135,9 +135,17 @@ impl TableHead {
         self.turned = turned_remark(&self.columns, &turned);
         // a parameter of a sweep needs a stated unit
         if table_use != TableUse::Points {
-            let columns = self.columns.iter_mut().enumerate();
-            let assumed = columns.filter_map(|(at, column)| assume_unit(at, column, &self.rows));
-            self.assumed_units = assumed.collect();
+            for at in 0..self.columns.len() {
+                let (before, others) = self.columns.split_at_mut(at);
+                // a repeated column is not read
+                if before
+                    .iter()
+                    .all(|column| column.content != others[0].content)
+                {
+                    self.assumed_units
+                        .extend(assume_unit(at, &mut others[0], &self.rows));
+                }
+            }
         }
     }
 
