@@ -53,7 +53,13 @@ pub fn run(args: &Args) -> Result<Answer> {
     let optimum = &args.optimize.optimum;
     let swings_args = &args.optimize.swings;
     let request = optimum.setup_args.request()?;
-    refuse_unnamed_preset(&request)?;
+    // a setup file that names no preset starts from `tour-average`, which exceeds limits of the
+    // Rules of Golf
+    if !request.source.content.names_preset {
+        let source = "it names no preset; name the one that it starts from in its first line, as in \
+                      preset = \"modern-driver\"";
+        return Err(Error::unreadable(request.source.name(), source));
+    }
     request.refuse_launch(
         &request.partial_setup,
         "it gives the launch, so no club strikes the ball and there is nothing to design; leave it \
@@ -97,17 +103,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     let designed = DesignReport::new(found.report(), &design, &found.setup, improvements, notes);
     let answer = Answer::report(&designed, &origin);
     Ok(answer.found(found.optima.is_found()))
-}
-
-/// Refuses a setup file that names no preset. Such a file starts from `tour-average`, which exceeds
-/// limits of the Rules of Golf.
-fn refuse_unnamed_preset(request: &Request) -> Result<()> {
-    if request.source.content.names_preset {
-        return Ok(());
-    }
-    let source = "it names no preset; name the one that it starts from in its first line, as in \
-                  preset = \"modern-driver\"";
-    Err(Error::unreadable(request.source.name(), source))
 }
 
 /// The stated swings or, if none are stated, the swings of a golfer whose drives were measured. The

@@ -24,7 +24,12 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> Result<Answer> {
-    let (drive, word) = args.setup_and_word();
+    let mut drive = args.drive.clone();
+    let mut word = args.word.clone();
+    // a single argument is the search word, unless it names a setup
+    if word.is_none() && !Source::is_named_by(&drive.setup) {
+        word = Some(std::mem::replace(&mut drive.setup, DEFAULT_PRESET.into()));
+    }
     let request = drive.request()?;
     let setup = request.setup()?;
     let report = ParametersReport::new(&setup);
@@ -36,17 +41,4 @@ pub fn run(args: &Args) -> Result<Answer> {
     lock(&running().warnings).extend(setup.warnings());
     let origin = request.origin();
     Ok(Answer::report(&report, &origin))
-}
-
-impl Args {
-    /// The setup and the search word. A single argument is the search word, unless it names a
-    /// setup.
-    fn setup_and_word(&self) -> (DriveArgs, Option<String>) {
-        let mut drive = self.drive.clone();
-        if self.word.is_some() || Source::is_named_by(&drive.setup) {
-            return (drive, self.word.clone());
-        }
-        let word = std::mem::replace(&mut drive.setup, DEFAULT_PRESET.into());
-        (drive, Some(word))
-    }
 }

@@ -10,8 +10,14 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 /// Reports an error in the arguments, or shows the help.
 pub fn explain(mut error: clap::Error) -> u8 {
+    let running = running();
     if error.kind() == ErrorKind::InvalidUtf8 {
-        return complain(&not_utf8());
+        let mut words = running.words.iter();
+        let word = words.find(|word| word.to_str().is_none());
+        let name = word.map_or("an argument".into(), |word| word.to_string_lossy());
+        let source = "its name is not UTF-8, and setups are named in UTF-8; rename the file, or \
+                      give its text on standard input, as in longdrive simulate - < FILE";
+        return complain(&Error::unreadable(name, source));
     }
     in_own_words(&mut error);
     add_subcommands(&mut error);
@@ -21,7 +27,6 @@ pub fn explain(mut error: clap::Error) -> u8 {
         let help = Answer::text(shown).print();
         return help.unwrap_or_else(|error| complain(&error));
     }
-    let running = running();
     running
         .host
         .say(MessageKind::Usage, &running.in_host_syntax(&shown));
@@ -37,16 +42,6 @@ pub fn explain(mut error: clap::Error) -> u8 {
         print_refusal("error", message);
     }
     u8::try_from(error.exit_code()).unwrap_or(2)
-}
-
-fn not_utf8() -> Error {
-    let running = running();
-    let mut words = running.words.iter();
-    let word = words.find(|word| word.to_str().is_none());
-    let name = word.map_or("an argument".into(), |word| word.to_string_lossy());
-    let source = "its name is not UTF-8, and setups are named in UTF-8; rename the file, or give \
-                  its text on standard input, as in longdrive simulate - < FILE";
-    Error::unreadable(name, source)
 }
 
 /// The parser's message with argument names in the syntax of the command's `Host`: `--width

@@ -65,16 +65,12 @@ fn fly(args: &Args) -> Result<Answer> {
         ..Run::default()
     };
     let maker = shots.maker();
-    let WrittenShots {
-        tally,
-        output,
-        of_format,
-    } = write_rows(&destination, format, &flying, &mut shots, &run)?;
-    let mut final_remarks = shots.final_remarks();
-    final_remarks.extend(of_format);
-    final_remarks.extend(of_further_clubs(&tally));
-    note_each(file.display(), &final_remarks);
-    remarks.extend(final_remarks);
+    let mut output = destination.begin()?;
+    let mut closing = vec![];
+    let tally = write_rows(&mut output, format, &flying, &mut shots, &run, &mut closing)?;
+    closing.extend(of_further_clubs(&tally));
+    note_each(file.display(), &closing);
+    remarks.extend(closing);
     if tally.is_complete {
         refuse_no_rows(&tally, file)?;
         output.finish()?;
@@ -190,24 +186,17 @@ fn of_further_clubs(tally: &ShotStatistics) -> Option<Message> {
     })
 }
 
-/// Flown shots and their unfinished output.
-struct WrittenShots {
-    tally: ShotStatistics,
-    output: OutputStream,
-    /// A remark on values that the format cannot store.
-    of_format: Option<Message>,
-}
-
-/// Flies the shots and writes the rows. The caller finishes the output.
+/// Flies the shots and writes the rows. The caller finishes the output. Adds the final remarks about
+/// the shots, and a remark about values that the format cannot store.
 fn write_rows(
-    destination: &Destination,
+    output: &mut OutputStream,
     format: FlyFormat,
     flying: &Flying,
     shots: &mut Shots,
     run: &Run<'_>,
-) -> Result<WrittenShots> {
+    remarks: &mut Vec<Message>,
+) -> Result<ShotStatistics> {
     let of = flying.outcomes();
-    let mut output = destination.begin()?;
     let writer = match format {
         FlyFormat::Csv => ShotWriter::csv(shots, of, system()),
         FlyFormat::LaunchMonitor => ShotWriter::launch_monitor(shots, of, system()),
@@ -225,11 +214,9 @@ fn write_rows(
                 |flown| output.write(&writer.push(flown)?),
             )?;
             output.write(&writer.finish()?)?;
-            return Ok(WrittenShots {
-                tally,
-                output,
-                of_format: writer.remark(shots),
-            });
+            remarks.extend(shots.final_remarks());
+            remarks.extend(writer.remark(shots));
+            return Ok(tally);
         }
     };
     output.write(&writer.head())?;
@@ -239,11 +226,9 @@ fn write_rows(
         |flown| writer.rows(&flown),
         |bytes| output.write(&bytes),
     )?;
-    Ok(WrittenShots {
-        tally,
-        output,
-        of_format: writer.remark(shots),
-    })
+    remarks.extend(shots.final_remarks());
+    remarks.extend(writer.remark(shots));
+    Ok(tally)
 }
 
 /// The note about an interruption: the number of rows before it, and the state of the file.

@@ -17,11 +17,33 @@ pub struct Args {
 #[derive(Subcommand)]
 pub enum PlotKind {
     /// The path of the ball.
-    Trajectory(PlotTrajectory),
+    Trajectory {
+        #[command(flatten)]
+        setup_args: SetupArgs,
+
+        #[command(flatten)]
+        drawing: PictureArgs,
+
+        /// The side from which the trajectory is shown.
+        #[arg(long, value_enum, default_value_t = View::Side)]
+        view: View,
+    },
     /// An outcome over two parameters, with its gradients and the optimum.
     Contour(PlotSearch),
     /// The optimum as a function of a parameter.
-    Chart(PlotChart),
+    Chart {
+        #[command(flatten)]
+        plot: PlotSearch,
+
+        /// The parameter along which optima are computed, with its range, e.g.
+        /// swing.speed=80mph..130mph.
+        #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
+        along: String,
+
+        /// The curve to draw: the outcome, or one of the parameters varied.
+        #[arg(long, value_name = "NAME")]
+        show: Option<String>,
+    },
     /// The Pareto front of two goals, with its ends, its knee and the slope at the knee.
     Pareto {
         #[command(flatten)]
@@ -37,14 +59,42 @@ pub enum PlotKind {
     Tornado(PlotTornado),
     /// The difference between two drives, split into the parameters and launch conditions that
     /// differ.
-    Compare(PlotCompare),
+    Compare {
+        #[command(flatten)]
+        pair: PairArgs,
+
+        #[command(flatten)]
+        drawing: PictureArgs,
+
+        /// The outcome.
+        #[arg(long, value_name = "OUTCOME", default_value = "carry")]
+        of: String,
+    },
     /// The error of central differences against exact derivatives, by step.
-    Vcurve(PlotVcurve),
+    Vcurve {
+        #[command(flatten)]
+        setup_args: SetupArgs,
+
+        #[command(flatten)]
+        drawing: PictureArgs,
+
+        #[command(flatten)]
+        derivatives: DerivativeArgs,
+    },
     /// Laws of drag and lift over the spin ratio or the Reynolds number, with measured points.
     Laws(PlotLaws),
     /// The landings of the drive and of the optimum from above, at true scale, with the ellipses of
     /// half and of 95 % of the landings.
-    Fairway(PlotFairway),
+    Fairway {
+        #[command(flatten)]
+        plot: PlotSearch,
+
+        /// The standard deviation of a parameter of the golfer from drive to drive, e.g.
+        /// swing.face_angle=2deg. Repeatable; other parameters of swing, strike and club have the
+        /// default uncertainties of "longdrive sensitivity".
+        #[arg(long, value_name = "NAME=AMOUNT")]
+        sigma: Vec<String>,
+    },
     /// The club face from the front: the strike, the sweet spot, contours of lost carry, and the
     /// side to which the spin axis tilts.
     Face {
@@ -56,7 +106,21 @@ pub enum PlotKind {
     },
     /// Carry, lateral, ball speed and spin axis over the club face, for the drive as set up and for
     /// the optimum, or for two designs.
-    Strike(PlotStrike),
+    Strike {
+        #[command(flatten)]
+        setup_args: SetupArgs,
+
+        #[command(flatten)]
+        search: SearchArgs,
+
+        /// A preset or setup file of another design to draw in place of the optimum, e.g. best.toml
+        /// of "longdrive optimize -o".
+        #[arg(long, value_name = "SETUP")]
+        after: Option<String>,
+
+        #[command(flatten)]
+        drawing: PictureArgs,
+    },
     /// Carry over launch angle and backspin at the drive's ball speed, with the launches of the
     /// drive and of the optimum.
     Launch(PlotSearch),
@@ -96,54 +160,6 @@ pub struct PlotLaws {
     pub json: bool,
 }
 
-#[derive(clap::Args)]
-pub struct PlotTrajectory {
-    #[command(flatten)]
-    pub setup_args: SetupArgs,
-
-    #[command(flatten)]
-    pub drawing: PictureArgs,
-
-    /// The side from which the trajectory is shown.
-    #[arg(long, value_enum, default_value_t = View::Side)]
-    pub view: View,
-}
-
-#[derive(clap::Args)]
-pub struct PlotFairway {
-    #[command(flatten)]
-    pub setup_args: SetupArgs,
-
-    #[command(flatten)]
-    pub search: SearchArgs,
-
-    #[command(flatten)]
-    pub drawing: PictureArgs,
-
-    /// The standard deviation of a parameter of the golfer from drive to drive, e.g.
-    /// swing.face_angle=2deg. Repeatable; other parameters of swing, strike and club have the
-    /// default uncertainties of "longdrive sensitivity".
-    #[arg(long, value_name = "NAME=AMOUNT")]
-    pub sigma: Vec<String>,
-}
-
-#[derive(clap::Args)]
-pub struct PlotStrike {
-    #[command(flatten)]
-    pub setup_args: SetupArgs,
-
-    #[command(flatten)]
-    pub search: SearchArgs,
-
-    /// A preset or setup file of another design to draw in place of the optimum, e.g. best.toml of
-    /// "longdrive optimize -o".
-    #[arg(long, value_name = "SETUP")]
-    pub after: Option<String>,
-
-    #[command(flatten)]
-    pub drawing: PictureArgs,
-}
-
 /// A plot with the optimum of a search.
 #[derive(clap::Args)]
 pub struct PlotSearch {
@@ -155,27 +171,6 @@ pub struct PlotSearch {
 
     #[command(flatten)]
     pub drawing: PictureArgs,
-}
-
-#[derive(clap::Args)]
-pub struct PlotChart {
-    #[command(flatten)]
-    pub setup_args: SetupArgs,
-
-    #[command(flatten)]
-    pub search: SearchArgs,
-
-    #[command(flatten)]
-    pub drawing: PictureArgs,
-
-    /// The parameter along which optima are computed, with its range, e.g.
-    /// swing.speed=80mph..130mph.
-    #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
-    pub along: String,
-
-    /// The curve to draw: the outcome, or one of the parameters varied.
-    #[arg(long, value_name = "NAME")]
-    pub show: Option<String>,
 }
 
 #[derive(clap::Args)]
@@ -198,29 +193,4 @@ pub struct PlotTornado {
     /// The uncertainties to draw.
     #[arg(long, value_enum, default_value_t = Causes::Control)]
     pub show: Causes,
-}
-
-#[derive(clap::Args)]
-pub struct PlotCompare {
-    #[command(flatten)]
-    pub pair: PairArgs,
-
-    #[command(flatten)]
-    pub drawing: PictureArgs,
-
-    /// The outcome.
-    #[arg(long, value_name = "OUTCOME", default_value = "carry")]
-    pub of: String,
-}
-
-#[derive(clap::Args)]
-pub struct PlotVcurve {
-    #[command(flatten)]
-    pub setup_args: SetupArgs,
-
-    #[command(flatten)]
-    pub drawing: PictureArgs,
-
-    #[command(flatten)]
-    pub derivatives: DerivativeArgs,
 }

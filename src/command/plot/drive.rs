@@ -1,6 +1,6 @@
 //! Plots of a drive and its optimum: landings, launches, and strikes on the face.
 
-use super::args::{PlotFairway, PlotSearch, PlotStrike};
+use super::args::PlotSearch;
 use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, note, spinner, system, warn};
@@ -16,12 +16,12 @@ use crate::study::{
 use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
 
-pub fn fairway(args: &PlotFairway) -> Result<Answer> {
-    let request = args.setup_args.request()?;
-    let mut target = PlotDestination::new(request.inputs(), &args.drawing)?;
-    let (setup, best) = setup_and_optimum(&mut target, &request, &args.search)?;
+pub fn fairway(plot: &PlotSearch, sigma: &[String]) -> Result<Answer> {
+    let request = plot.setup_args.request()?;
+    let mut target = PlotDestination::new(request.inputs(), &plot.drawing)?;
+    let (setup, best) = setup_and_optimum(&mut target, &request, &plot.search)?;
     let setup = request.with_assumed_launch(setup)?;
-    let given = sigmas(&setup, &args.sigma)?;
+    let given = sigmas(&setup, sigma)?;
     let of = [Outcome::Carry, Outcome::Lateral];
     let mut landings = vec![Landing::of(
         DriveRole::AsSetUp,
@@ -67,16 +67,21 @@ pub fn face(setup_args: &SetupArgs, drawing: &PictureArgs) -> Result<Answer> {
     target.write(&face_figure(&face, system()), warnings)
 }
 
-pub fn strikes(args: &PlotStrike) -> Result<Answer> {
-    let request = args.setup_args.request()?;
+pub fn strikes(
+    setup_args: &SetupArgs,
+    search: &SearchArgs,
+    after: Option<&str>,
+    drawing: &PictureArgs,
+) -> Result<Answer> {
+    let request = setup_args.request()?;
     // no settings: the command line sets parameters of the first design only
-    let other = |after: &String| Request::new(Source::read(after)?, vec![], &args.setup_args);
-    let after = args.after.as_ref().map(other).transpose()?;
+    let other = |after: &str| Request::new(Source::read(after)?, vec![], setup_args);
+    let after = after.map(other).transpose()?;
     let inputs = request
         .inputs()
         .chain(after.iter().flat_map(Request::inputs));
-    let mut target = PlotDestination::new(inputs, &args.drawing)?;
-    if let (Some(_), Some(option)) = (&after, args.search.stated().next()) {
+    let mut target = PlotDestination::new(inputs, drawing)?;
+    if let (Some(_), Some(option)) = (&after, search.stated().next()) {
         let source = "`after` gives the other design, so no optimum is searched for; leave one of the two \
              out";
         return Err(Error::unreadable(option, source));
@@ -91,7 +96,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
         difference_warnings = other_differences(&before, &after);
         designs.extend([("before", before), ("after", after)]);
     } else {
-        let (setup, found) = setup_and_optimum(&mut target, &request, &args.search)?;
+        let (setup, found) = setup_and_optimum(&mut target, &request, search)?;
         designs.push((NamedDrive::AS_SET_UP, setup));
         designs.extend(found.iter().map(|best| (NamedDrive::OPTIMUM, best.setup)));
         best = found;

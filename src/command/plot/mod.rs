@@ -6,12 +6,14 @@ mod drive;
 pub use args::Args;
 
 use crate::atmosphere::AirState;
-use crate::command::compare::origin;
+use crate::command::args::SetupArgs;
+use crate::command::compare::{PairArgs, origin};
+use crate::command::gradient::DerivativeArgs;
 use crate::command::host::Progress;
 use crate::command::names::{outcomes, sigmas};
 use crate::command::output::{Answer, bar, note, spinner, system, warn, with_bar};
 use crate::command::pareto;
-use crate::command::picture::PlotDestination;
+use crate::command::picture::{PictureArgs, PlotDestination};
 use crate::command::ranges::SearchRanges;
 use crate::command::request::Request;
 use crate::command::search::DriveSearch;
@@ -32,45 +34,56 @@ use crate::study::{
 };
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
-use args::{
-    PlotChart, PlotCompare, PlotKind, PlotLaws, PlotSearch, PlotTornado, PlotTrajectory, PlotVcurve,
-};
+use args::{PlotKind, PlotLaws, PlotSearch, PlotTornado};
 use drive::{drawn_optimum, face, fairway, launches, strikes};
 use std::rc::Rc;
 use std::sync::Arc;
 
 pub fn run(args: &Args) -> Result<Answer> {
     match &args.kind {
-        PlotKind::Trajectory(args) => trajectory(args),
+        PlotKind::Trajectory {
+            setup_args,
+            drawing,
+            view,
+        } => trajectory(setup_args, drawing, *view),
         PlotKind::Contour(args) => contour(args),
-        PlotKind::Chart(args) => along(args),
+        PlotKind::Chart { plot, along, show } => optima_along(plot, along, show.as_deref()),
         PlotKind::Pareto {
             setup_args,
             requested,
             drawing,
         } => pareto::draw(setup_args, requested, drawing),
         PlotKind::Tornado(args) => tornado(args),
-        PlotKind::Compare(args) => difference(args),
-        PlotKind::Vcurve(args) => vcurve(args),
+        PlotKind::Compare { pair, drawing, of } => difference(pair, drawing, of),
+        PlotKind::Vcurve {
+            setup_args,
+            drawing,
+            derivatives,
+        } => vcurve(setup_args, drawing, derivatives),
         PlotKind::Laws(args) => laws(args),
-        PlotKind::Fairway(args) => fairway(args),
+        PlotKind::Fairway { plot, sigma } => fairway(plot, sigma),
         PlotKind::Face {
             setup_args,
             drawing,
         } => face(setup_args, drawing),
-        PlotKind::Strike(args) => strikes(args),
+        PlotKind::Strike {
+            setup_args,
+            search,
+            after,
+            drawing,
+        } => strikes(setup_args, search, after.as_deref(), drawing),
         PlotKind::Launch(args) => launches(args),
     }
 }
 
-fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
-    let request = args.setup_args.request()?;
-    let target = PlotDestination::new(request.inputs(), &args.drawing)?.about(request.origin());
+fn trajectory(setup_args: &SetupArgs, drawing: &PictureArgs, view: View) -> Result<Answer> {
+    let request = setup_args.request()?;
+    let target = PlotDestination::new(request.inputs(), drawing)?.about(request.origin());
     let setup = request.setup_within_tolerance()?;
     let flown = NamedDrive::new(DriveRole::Alone, &setup)?;
     flown.drive.landed()?;
-    let figure = trajectory_figure(&[flown], args.view, system()).map_err(|error| match error {
-        Error::Plot { reason, .. } if args.view == View::Top => {
+    let figure = trajectory_figure(&[flown], view, system()).map_err(|error| match error {
+        Error::Plot { reason, .. } if view == View::Top => {
             target.refused(format!("{reason}; take `view side`"))
         }
         error => error,
@@ -150,14 +163,14 @@ pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, M
     search.subject_to.iter().filter_map(limit).collect()
 }
 
-fn along(args: &PlotChart) -> Result<Answer> {
-    let request = args.setup_args.request()?;
-    let target = PlotDestination::new(request.inputs(), &args.drawing)?;
-    let along = Vary::read_column(&request.partial_setup, &args.along)?;
+fn optima_along(plot: &PlotSearch, along: &str, show: Option<&str>) -> Result<Answer> {
+    let request = plot.setup_args.request()?;
+    let target = PlotDestination::new(request.inputs(), &plot.drawing)?;
+    let along = Vary::read_column(&request.partial_setup, along)?;
     request.refuse_stated_besides_launch(&[along.parameter], "`along` gives its values")?;
-    let drive_search = args.search.of_drive(&request, Some(along), None)?;
+    let drive_search = plot.search.of_drive(&request, Some(along), None)?;
     let DriveSearch { setup, search, .. } = &drive_search;
-    let shown = shown_curve(args, search)?;
+    let shown = shown_curve(show, search)?;
     let bar = bar("optima");
     let chart = chart(setup, search, along, &[], &counted_points(&bar));
     bar.finish();
@@ -190,12 +203,8 @@ pub fn counted_points(bar: &Arc<dyn Progress>) -> ChartObserver {
 }
 
 /// The varied parameter to plot; `None` for the outcome.
-fn shown_curve(args: &PlotChart, search: &Search) -> Result<Option<&'static Parameter>> {
-    let Some(name) = args
-        .show
-        .as_ref()
-        .filter(|name| *name != search.outcome().name())
-    else {
+fn shown_curve(show: Option<&str>, search: &Search) -> Result<Option<&'static Parameter>> {
+    let Some(name) = show.filter(|name| *name != search.outcome().name()) else {
         return Ok(None);
     };
     if let Some(parameter) = search.parameters().find(|parameter| parameter.name == name) {
@@ -264,12 +273,12 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     target.write(&figure, setup.drive_warnings(&[of]))
 }
 
-fn difference(args: &PlotCompare) -> Result<Answer> {
-    let requests = args.pair.requests()?;
-    let target = PlotDestination::new(requests.iter().flat_map(Request::inputs), &args.drawing)?
+fn difference(pair: &PairArgs, drawing: &PictureArgs, of: &str) -> Result<Answer> {
+    let requests = pair.requests()?;
+    let target = PlotDestination::new(requests.iter().flat_map(Request::inputs), drawing)?
         .about(origin(&requests));
-    let of = Outcome::named(&args.of)?;
-    let comparison = args.pair.comparison(&requests)?;
+    let of = Outcome::named(of)?;
+    let comparison = pair.comparison(&requests)?;
     if !comparison.differs() {
         return Err(target.refused("drives a and b are equal, so there is nothing to draw"));
     }
@@ -278,12 +287,16 @@ fn difference(args: &PlotCompare) -> Result<Answer> {
     target.write(&figure, warnings)
 }
 
-fn vcurve(args: &PlotVcurve) -> Result<Answer> {
-    let request = args.setup_args.request()?;
-    let target = PlotDestination::new(request.inputs(), &args.drawing)?.about(request.origin());
+fn vcurve(
+    setup_args: &SetupArgs,
+    drawing: &PictureArgs,
+    derivatives: &DerivativeArgs,
+) -> Result<Answer> {
+    let request = setup_args.request()?;
+    let target = PlotDestination::new(request.inputs(), drawing)?.about(request.origin());
     let setup = request.setup_within_tolerance()?;
-    let of = outcomes(&args.derivatives.of)?;
-    let wrt = args.derivatives.variables(&setup, &of)?;
+    let of = outcomes(&derivatives.of)?;
+    let wrt = derivatives.variables(&setup, &of)?;
     let certificate = with_bar("parameters", |show| {
         certify(&setup, &of, &wrt, &|done, all| {
             show(done, all);

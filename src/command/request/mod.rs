@@ -386,7 +386,8 @@ impl Request {
             .find(|setting| setting.replaces_launch())
             .or(of_launch().next());
         let name = match stated {
-            Some(setting) => setting.argument_of_launch(),
+            Some(setting) if setting.replaces_launch() => format!("`{}`", setting.argument),
+            Some(setting) => format!("`{} launch.…`", setting.argument),
             None => format!("the launch in {}", self.source.name()),
         };
         Err(Error::unreadable(name, why))

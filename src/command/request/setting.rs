@@ -8,7 +8,7 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq)]
 pub struct CommandSetting {
     /// The argument that states the parameter: `set`, `launch_a`, `ball_speed`, `speed`.
-    argument: &'static str,
+    pub argument: &'static str,
     /// The name as typed: `ball_speed` after `--launch`, or the name of an option such as `speed`.
     name: String,
     /// The name of the parameter: `launch.ball_speed`.
@@ -105,15 +105,6 @@ impl CommandSetting {
             format!("`{}`", self.argument)
         } else {
             format!("`{}` {}", self.argument, self.name)
-        }
-    }
-
-    /// The argument that states the launch: `--launch`, or `--set launch.…`.
-    pub fn argument_of_launch(&self) -> String {
-        if self.replaces_launch() {
-            format!("`{}`", self.argument)
-        } else {
-            format!("`{} launch.…`", self.argument)
         }
     }
 
