@@ -3,7 +3,7 @@ use crate::parameters::{Law, TABLE_LAW};
 use crate::report::document::{Document, DocumentTable};
 use crate::report::shown;
 use crate::statistics::extent;
-use crate::study::validation::{Case, Compared, LawScores, OTHER_TEMPERATURES, Score, SetScores};
+use crate::study::validation::{Case, Compared, LawScores, OTHER_TEMPERATURES, SetScores};
 use crate::units::{System, counted, fixed};
 
 /// The first quantity of most sets is the carry. If it is another quantity, the table names it.
@@ -138,7 +138,11 @@ pub(super) fn one(document: &mut Document, set: &SetScores, system: System) {
     }
     let rows = set.laws.iter().map(|law| {
         let mut cells = vec![law_with_count(set, law)];
-        cells.extend(errors_of(law, system));
+        for score in &law.scores {
+            let of = score.of.unit();
+            cells.push(shown::signed_or_dash(of, score.bias, system));
+            cells.push(shown::number_or_dash(of, score.mean_absolute_error, system));
+        }
         let bias_text = |bias: Option<f64>| shown::signed_or_dash(first(set).unit(), bias, system);
         if is_averaged {
             cells.push(bias_text(law.averaged));
@@ -150,18 +154,6 @@ pub(super) fn one(document: &mut Document, set: &SetScores, system: System) {
     });
     let numbers = 1..head.len();
     document.add(DocumentTable::new(head, rows).right(numbers));
-}
-
-/// The bias and the mean absolute error of a law, for each compared quantity.
-fn errors_of(law: &LawScores, system: System) -> Vec<String> {
-    let errors = |score: &Score| {
-        let of = score.of.unit();
-        [
-            shown::signed_or_dash(of, score.bias, system),
-            shown::number_or_dash(of, score.mean_absolute_error, system),
-        ]
-    };
-    law.scores.iter().flat_map(errors).collect()
 }
 
 /// The name of a law. If the law cannot compute every drive of the set, the numbers of drives
