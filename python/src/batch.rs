@@ -404,7 +404,8 @@ fn names(parameters: &[&'static Parameter]) -> Vec<&'static str> {
     parameters.iter().map(|row| row.name).collect()
 }
 
-fn in_units<'a>(messages: impl IntoIterator<Item = &'a Message>) -> Vec<String> {
+/// Messages as texts.
+pub fn in_units<'a>(messages: impl IntoIterator<Item = &'a Message>) -> Vec<String> {
     let in_units = |message: &Message| message.in_units(System::default());
     messages.into_iter().map(in_units).collect()
 }

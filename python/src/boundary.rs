@@ -2,7 +2,7 @@
 //! [`answer`], which converts errors and panics to exceptions of `longdrive.errors`.
 
 use crate::wording::in_python;
-use pyo3::exceptions::{PyRuntimeError, PyUnicodeEncodeError};
+use pyo3::exceptions::PyUnicodeEncodeError;
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -132,13 +132,5 @@ pub fn shown(value: &Bound<'_, PyAny>) -> String {
 /// Panics, for a test of the exception.
 #[pyfunction(name = "_panic_for_a_test")]
 pub fn panic_for_a_test(message: String) -> PyResult<()> {
-    answer(|| {
-        Err(Failure::Python(PyRuntimeError::new_err(panicking(
-            &message,
-        ))))
-    })
-}
-
-fn panicking(message: &str) -> String {
-    panic!("{message}")
+    answer(|| panic!("{message}"))
 }

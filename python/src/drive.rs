@@ -1,5 +1,6 @@
 //! One drive.
 
+use crate::batch::in_units;
 use crate::boundary::answer;
 use crate::json::to_python;
 use crate::names::{listed, outcomes_named};
@@ -9,7 +10,7 @@ use crate::step::step_choice;
 use longdrive::flight::{Trajectory, TrajectoryPoint, trajectory_until};
 use longdrive::number::Vector;
 use longdrive::report::{DriveReport, Reply};
-use longdrive::units::{Message, System};
+use longdrive::units::Message;
 use longdrive::{Drive, Error, Outcome, Setup};
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
@@ -51,8 +52,7 @@ impl PySimulated {
     /// The warnings, a list of sentences.
     #[getter]
     fn warnings(&self) -> Vec<String> {
-        let in_units = |message: &Message| message.in_units(System::default());
-        self.warnings.iter().map(in_units).collect()
+        in_units(&self.warnings)
     }
 
     /// The answer of ``longdrive simulate --json``.

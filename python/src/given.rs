@@ -56,7 +56,12 @@ impl Given<'_> {
     fn text(&self, setup: &Setup<f64>) -> Answer<(String, bool)> {
         let value = &self.value;
         if value.is_none() {
-            return if may_be_unset(setup, &self.name) {
+            // an unknown name is an error later
+            let may_be_unset = match setup.parameter(&self.name) {
+                Ok(row) => row.kind == Kind::Optional,
+                Err(_) => !CHOICES.contains(&self.name.as_str()),
+            };
+            return if may_be_unset {
                 Ok((UNSET.into(), false))
             } else {
                 Err(self.lacks_value(setup))
@@ -146,23 +151,17 @@ fn is_bool(value: &Bound<'_, PyAny>) -> bool {
 
 /// The entries of a dict under their dotted names. A name may repeat.
 pub fn flattened<'py>(dict: &Bound<'py, PyAny>) -> Answer<Vec<Given<'py>>> {
+    let Ok(mapping) = dict.cast::<PyMapping>() else {
+        return Err(Failure::Input(format!(
+            "a setup cannot be made of {}; give the name of a preset, or a dict like \
+             {{\"preset\": \"tour-average\", \
+             \"club.loft\": \"10.5 deg\"}}; a file is read by Setup.read",
+            kind_of(dict)
+        )));
+    };
     let mut all = vec![];
-    flatten(
-        dict.cast::<PyMapping>().map_err(|_| not_a_mapping(dict))?,
-        "",
-        1,
-        &mut all,
-    )?;
+    flatten(mapping, "", 1, &mut all)?;
     Ok(all)
-}
-
-/// Returns true if None may be given: for an optional parameter, and for an unknown name, which is
-/// an error later.
-fn may_be_unset(setup: &Setup<f64>, name: &str) -> bool {
-    match setup.parameter(name) {
-        Ok(row) => row.kind == Kind::Optional,
-        Err(_) => !CHOICES.contains(&name),
-    }
 }
 
 /// Refuses a repeated name.
@@ -227,15 +226,6 @@ fn is_group(name: &str) -> bool {
         .into_iter()
         .chain(Law::all_rows())
         .any(|row| begins(row.name))
-}
-
-fn not_a_mapping(value: &Bound<'_, PyAny>) -> Failure {
-    let kind = kind_of(value);
-    Failure::Input(format!(
-        "a setup cannot be made of {kind}; give the name of a preset, or a dict like \
-         {{\"preset\": \"tour-average\", \
-         \"club.loft\": \"10.5 deg\"}}; a file is read by Setup.read"
-    ))
 }
 
 /// Sets the parameters `given`. Numbers without a unit are SI, but angles are in degrees if

@@ -122,7 +122,15 @@ impl PySetup {
         if let Some(read) = known.iter().find(|read| read.file.preset.name == name) {
             return Ok(read.clone());
         }
-        let file = SetupFile::of_preset(name).map_err(|error| not_a_preset(name, error))?;
+        let is_file = || name.ends_with(".toml") || Path::new(name).is_file();
+        let file = match SetupFile::of_preset(name) {
+            Err(_) if is_file() => {
+                return Err(Failure::Input(format!(
+                    "{name:?} is a file, not a preset; Setup.read({name:?}) reads it"
+                )));
+            }
+            file => file?,
+        };
         let read = Self::based_on(file.setup, Arc::new(file));
         known.push(read.clone());
         Ok(read)
@@ -437,17 +445,6 @@ impl PySetup {
 /// The error of an argument of a wrong type.
 fn not_of_the_kind(name: &str, given: &Bound<'_, PyAny>, expected: &str) -> Failure {
     Failure::Input(format!("{name} is {}; expected {expected}", kind_of(given)))
-}
-
-/// The error of an unknown preset. If the name is the name of a file, the error names the function
-/// that reads files.
-fn not_a_preset(name: &str, error: longdrive::Error) -> Failure {
-    if name.ends_with(".toml") || Path::new(name).is_file() {
-        return Failure::Input(format!(
-            "{name:?} is a file, not a preset; Setup.read({name:?}) reads it"
-        ));
-    }
-    error.into()
 }
 
 fn escaped(text: &str) -> String {

@@ -168,14 +168,15 @@ impl Aim {
             .collect();
         let mut starts = vec![];
         for [corner, side, above] in triangles() {
-            let Some(zero) = Zero::of([misses[corner], misses[side], misses[above]]) else {
+            let Some([s, t]) = zero([misses[corner], misses[side], misses[above]]) else {
                 continue;
             };
+            let is_outside = s < 0.0 || t < 0.0 || s + t > 1.0;
             let [corner, side, above] = [corner, side, above].map(|node| plane.node(node));
-            let [s, t] = zero.parts.map(|part| part.clamp(0.0, 1.0));
+            let [s, t] = [s, t].map(|part| part.clamp(0.0, 1.0));
             let x = corner[0] + s * (side[0] - corner[0]);
             let y = corner[1] + t * (above[1] - corner[1]);
-            starts.push((zero.is_outside, self.change(from, [x, y]), [x, y]));
+            starts.push((is_outside, self.change(from, [x, y]), [x, y]));
         }
         // starts inside of their triangles come first; among these, the start nearest to `from`
         starts.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
@@ -293,30 +294,18 @@ fn triangles() -> impl Iterator<Item = [usize; 3]> {
     })
 }
 
-/// The point of a triangle at which a linear interpolation of the miss is 0 in both components.
-struct Zero {
-    /// Position along the two sides that meet in the first corner of the triangle, as fractions of
-    /// their lengths.
-    parts: [f64; 2],
-    /// True if the position is outside of the triangle.
-    is_outside: bool,
-}
-
-impl Zero {
-    /// The zero for these misses at the corners; `None` if it is farther from the triangle than
-    /// `SLACK`. Zeros slightly outside count, because the miss is not exactly linear.
-    fn of([corner, side, above]: [[f64; 2]; 3]) -> Option<Self> {
-        const SLACK: f64 = 0.1;
-        let [a, b] = [side, above].map(|end| [end[0] - corner[0], end[1] - corner[1]]);
-        let area = a[0] * b[1] - a[1] * b[0];
-        let s = (b[0] * corner[1] - b[1] * corner[0]) / area;
-        let t = (a[1] * corner[0] - a[0] * corner[1]) / area;
-        let outside = (-s).max(-t).max(s + t - 1.0).max(0.0);
-        (s.is_finite() && outside <= SLACK).then_some(Self {
-            parts: [s, t],
-            is_outside: outside > 0.0,
-        })
-    }
+/// The point of a triangle at which a linear interpolation of the miss is 0 in both components, from
+/// the misses at the corners. The answer is the position along the two sides that meet in the first
+/// corner, as fractions of their lengths; `None` if it is farther from the triangle than `SLACK`.
+/// Positions slightly outside count, because the miss is not exactly linear.
+fn zero([corner, side, above]: [[f64; 2]; 3]) -> Option<[f64; 2]> {
+    const SLACK: f64 = 0.1;
+    let [a, b] = [side, above].map(|end| [end[0] - corner[0], end[1] - corner[1]]);
+    let area = a[0] * b[1] - a[1] * b[0];
+    let s = (b[0] * corner[1] - b[1] * corner[0]) / area;
+    let t = (a[1] * corner[0] - a[0] * corner[1]) / area;
+    let outside = (-s).max(-t).max(s + t - 1.0);
+    (s.is_finite() && outside <= SLACK).then_some([s, t])
 }
 
 /// The message for a target that no drive within the ranges reaches.
