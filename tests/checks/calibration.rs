@@ -530,6 +530,24 @@ fn a_launch_by_names_of_both_kinds_is_read_whole() {
     );
 }
 
+/// `Offline` of a Foresight export is the lateral position at rest, in each column of this name.
+#[test]
+fn a_second_offline_column_of_foresight_is_a_rest_position_too() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/data/shots/foresight.csv");
+    let text = std::fs::read_to_string(file).unwrap();
+    let ends = [",Offline (yds L-/R+)", ",-4.0"]
+        .into_iter()
+        .chain(std::iter::repeat(""));
+    let lines = text.lines().zip(ends);
+    let text: String = lines.map(|(line, end)| format!("{line}{end}\n")).collect();
+    let table = ShotTable::read(&Setup::modern_driver(), "foresight.csv", text.as_bytes()).unwrap();
+    let remarks: Vec<String> = table.remarks.iter().map(ToString::to_string).collect();
+    let is_named = remarks.iter().any(|remark| {
+        remark.contains("the rest position is not compared") && remark.ends_with("Offline, Offline")
+    });
+    assert!(is_named, "{remarks:?}");
+}
+
 /// An export of Foresight: a spin axis without a unit but with its side, a summary at the end, and
 /// a shot without ball data.
 #[test]

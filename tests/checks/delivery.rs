@@ -406,6 +406,35 @@ fn a_launch_on_the_command_line_becomes_a_setup_for_a_search() {
     );
 }
 
+/// A smash factor moves the club speed towards the ball speed over the smash factor: 150 mph over
+/// 1.45 and over 1.5. A delivery does not read the total, so its unit does not matter.
+#[test]
+fn independent_club_speeds_by_a_smash_factor_and_unused_totals() {
+    let folder = tempfile::tempdir().unwrap();
+    let speeds = |head: &str, rows: [&str; 2]| {
+        let launch = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Total [shots]";
+        let rows = rows.map(|row| format!("150,12,2600,3{row}\n"));
+        let table = format!("{launch}{head}\n{}", rows.concat());
+        let file = file_with(folder.path(), "shots.csv", &table);
+        let (status, answer) = json(&["delivery", "--shots", &file]);
+        assert_eq!(status, 0, "{answer}");
+        let text = on_one_line(&longdrive(&["delivery", "--shots", &file]).out);
+        assert!(text.contains("columns that are not used: Total"), "{text}");
+        [0, 1].map(|row| number(&answer["rows"][row]["known"][0]["value"]) / 0.44704)
+    };
+    let (without, with) = (
+        speeds("", ["", ""]),
+        speeds(",Smash Factor", [",1.45", ",1.5"]),
+    );
+    for (row, smash_factor) in [(0, 1.45), (1, 1.5)] {
+        let distance = |speeds: [f64; 2]| (speeds[row] - 150.0 / smash_factor).abs();
+        assert!(
+            distance(with) < 0.8 * distance(without),
+            "{with:?} {without:?}"
+        );
+    }
+}
+
 #[test]
 fn shots_of_a_launch_monitor_have_deliveries_with_measured_club_values() {
     let table = "Club Speed [mph],Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin \
