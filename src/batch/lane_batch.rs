@@ -61,7 +61,14 @@ impl OverNumbers for LaneBatch<'_> {
         let fitted = batch.setup.law.properties().fitted;
         // set the parameters that are not swept; `put_group` sets the swept parameters
         let mut setup = batch.setup.constant::<J>();
-        self.seed_parameters(&mut setup);
+        // each parameter of differentiation has the derivative 1 in its direction
+        setup.put(
+            self.wrt,
+            inlined!(|k| {
+                let value = batch.setup.value(self.wrt[k]).unwrap_or(f64::NAN);
+                seeded_in(J::constant(value), Some(k))
+            }),
+        );
         let directions: Vec<Option<usize>> = batch
             .parameters
             .iter()
@@ -182,19 +189,6 @@ impl LaneBatch<'_> {
                 J::with_values(|lane| block.point(row_of(lane))[k]),
                 directions[k]
             )),
-        );
-    }
-
-    /// Seeds the parameters of differentiation: each gets its value in the setup, and the
-    /// derivative 1 in its direction.
-    #[inline(always)]
-    fn seed_parameters<J: Lanes>(&self, setup: &mut Setup<J>) {
-        setup.put(
-            self.wrt,
-            inlined!(|k| {
-                let value = self.batch.setup.value(self.wrt[k]).unwrap_or(f64::NAN);
-                seeded_in(J::constant(value), Some(k))
-            }),
         );
     }
 
