@@ -8,7 +8,7 @@ use super::{Drive, Outcome};
 use crate::aerodynamics::{AerodynamicLaw, Continuation, Stream};
 use crate::atmosphere::{AirState, WindField};
 use crate::flight::{
-    Flight, Inputs, Landed, RequestedOutputs, TrajectoryPoint, change_by_holding, stays_within,
+    Flight, Inputs, RequestedOutputs, TrajectoryPoint, change_by_holding, stays_within,
     trajectory_until,
 };
 use crate::parameters::{LawVariable, Setup};
@@ -111,7 +111,15 @@ impl Drive<f64> {
         let landed = self.landed().ok()?;
         let mut finer = *setup;
         finer.flight.step *= 0.5;
-        let there = self.landed_with(&finer, stop)?;
+        finer.flight.check_steps().ok()?;
+        let outputs = RequestedOutputs {
+            run: false,
+            ..RequestedOutputs::all(Some(stop))
+        };
+        let again = Inputs::new(&finer, &self.launch).fly(outputs, None);
+        let Ok(Flight::Landed(there)) = again else {
+            return None;
+        };
         let shift = (there.carry - landed.carry).hypot(there.lateral - landed.lateral);
         let step = Quantity::TIME.show(setup.flight.step, "s");
         let method = setup.method.name();
@@ -124,19 +132,6 @@ impl Drive<f64> {
                 .quantity(Quantity::LENGTH, "mm", shift, Digits::Significant(2))
                 .words("; make flight.step shorter")
         })
-    }
-
-    /// Flies the launch of this drive again, with `setup`; `None` without a landing.
-    fn landed_with(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Option<Landed<f64>> {
-        setup.flight.check_steps().ok()?;
-        let outputs = RequestedOutputs {
-            run: false,
-            ..RequestedOutputs::all(Some(stop))
-        };
-        match Inputs::new(setup, &self.launch).fly(outputs, None) {
-            Ok(Flight::Landed(landed)) => Some(landed),
-            _ => None,
-        }
     }
 
     fn off_face_warning(&self, setup: &Setup<f64>) -> Option<String> {
