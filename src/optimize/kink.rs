@@ -18,22 +18,6 @@ pub struct Kink {
 }
 
 impl Kink {
-    /// The kink of the sum of the objective and a smooth function with this derivative.
-    pub(super) fn plus(self, slope: f64) -> Self {
-        Self {
-            slope_below: self.slope_below.map(|below| below + slope),
-            slope_above: self.slope_above.map(|above| above + slope),
-            ..self
-        }
-    }
-
-    /// True if the objective has a minimum along the variable: it falls towards the kink from
-    /// each side that is within the bounds.
-    pub(super) fn is_minimum(self) -> bool {
-        self.slope_below.is_none_or(|below| below <= 0.0)
-            && self.slope_above.is_none_or(|above| above >= 0.0)
-    }
-
     /// True if the kink lies between the bounds of the variable.
     pub fn is_between_bounds(self) -> bool {
         self.slope_below.is_some() && self.slope_above.is_some()

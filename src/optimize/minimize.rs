@@ -173,8 +173,13 @@ fn fix_at_kink(
     end.effort += found.effort;
     let of_constraints = end.constraints.iter().zip(&end.jacobian);
     let of_constraints = of_constraints.map(|(constraint, row)| constraint.multiplier * row[i]);
-    let of_lagrangian = kink.plus(of_constraints.sum());
-    if end.status != Status::Converged || !of_lagrangian.is_minimum() {
+    let smooth: f64 = of_constraints.sum();
+    // one-sided derivatives of the Lagrangian; `None` for a side beyond a bound
+    let below = kink.slope_below.map(|slope| slope + smooth);
+    let above = kink.slope_above.map(|slope| slope + smooth);
+    let is_minimum =
+        below.is_none_or(|below| below <= 0.0) && above.is_none_or(|above| above >= 0.0);
+    if end.status != Status::Converged || !is_minimum {
         let (iterations, residual) = (end.iterations, Some(found.residual.largest()));
         let SearchVerdict { status, message } = match end.status {
             Status::Interrupted => SearchVerdict::interrupted(iterations, residual),
@@ -196,11 +201,6 @@ fn fix_at_kink(
         None => slope.unwrap_or_default().abs(),
         Some(_) => 0.0,
     };
-    let Kink {
-        slope_below: below,
-        slope_above: above,
-        ..
-    } = of_lagrangian;
     end.lower_multipliers[i] = on_bound(below, above);
     end.upper_multipliers[i] = on_bound(above, below);
     if let (Some(slope), None) | (None, Some(slope)) = (kink.slope_below, kink.slope_above) {

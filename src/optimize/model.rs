@@ -157,8 +157,15 @@ impl LagrangianModel<'_> {
             .max_terms
             .extend(self.kink_sides.max_terms(scaling, point, self.hessian));
 
+        // limits of the step: bounds and trust region
+        let bounds = &scaling.domain.variables;
         for i in 0..n {
-            (program.low[i], program.high[i]) = self.step_bounds(i);
+            let limit = |bound: f64| {
+                let step = (bound - point.x[i]) / scaling.scale[i];
+                step.clamp(-self.radius, self.radius)
+            };
+            program.low[i] = limit(bounds.low[i]);
+            program.high[i] = limit(bounds.high[i]);
         }
         for (j, row) in program.rows.iter_mut().enumerate() {
             row.normal.resize_vertically_mut(n, 0.0);
@@ -169,16 +176,6 @@ impl LagrangianModel<'_> {
             (row.low, row.high) = self.row_limits(j, value(j));
         }
         convexified
-    }
-
-    /// Limits of component `i` of the step: bounds and trust region.
-    fn step_bounds(&self, i: usize) -> (f64, f64) {
-        let bounds = &self.scaling.domain.variables;
-        let limit = |bound: f64| {
-            let step = (bound - self.point.x[i]) / self.scaling.scale[i];
-            step.clamp(-self.radius, self.radius)
-        };
-        (limit(bounds.low[i]), limit(bounds.high[i]))
     }
 
     /// Limits of row j, in units of γⱼ, if constraint j has this value at d = 0.
@@ -202,7 +199,14 @@ impl LagrangianModel<'_> {
         let mut elastic = elastic(program, NORMAL_PART * self.radius);
         let mut solve = |elastic: &QuadraticProgram| {
             solver.active_set = None;
-            solver.solve(elastic).unwrap_or_else(|| zero_step(n + m, m))
+            // no step if the program has no solution
+            solver.solve(elastic).unwrap_or_else(|| QpStep {
+                d: DVector::zeros(n + m),
+                activities: vec![Activity::Inactive; n + m],
+                weights: vec![1.0],
+                multipliers: vec![0.0; m],
+                source: StepSource::Unpolished,
+            })
         };
         let mut step = solve(&elastic);
         let squares = |d: &DVector<f64>| 0.5 * d.rows(n, m).norm_squared();
@@ -336,16 +340,6 @@ impl LagrangianModel<'_> {
         DVector::from_fn(x.len(), |i, _| {
             (x[i] - self.point.x[i]) / self.scaling.scale[i]
         })
-    }
-}
-
-fn zero_step(variables: usize, rows: usize) -> QpStep {
-    QpStep {
-        d: DVector::zeros(variables),
-        activities: vec![Activity::Inactive; variables],
-        weights: vec![1.0],
-        multipliers: vec![0.0; rows],
-        source: StepSource::Unpolished,
     }
 }
 

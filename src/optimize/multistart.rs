@@ -220,10 +220,15 @@ fn distinct_optima(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimu
     };
     let value = |local: &LocalMinimum| local.solution.value.unwrap_or(f64::MAX);
     let units = constraint_units(domain, &locals);
-    // sort infeasible points by their violation, smallest first
-    let violation = |local: &LocalMinimum| match local.solution.status {
-        Status::Infeasible => squared_violation(&local.solution, &units),
-        _ => 0.0,
+    // sort infeasible points by their sum of squared violations, smallest first
+    let violation = |local: &LocalMinimum| -> f64 {
+        if local.solution.status != Status::Infeasible {
+            return 0.0;
+        }
+        let constraints = local.solution.constraints.iter().zip(&units);
+        constraints
+            .map(|(constraint, unit)| (constraint.violation / unit).powi(2))
+            .sum()
     };
     let order = |a: &LocalMinimum, b: &LocalMinimum| {
         let by_violation = || violation(a).total_cmp(&violation(b));
@@ -251,13 +256,4 @@ fn constraint_units(domain: &Domain, locals: &[LocalMinimum]) -> Vec<f64> {
         .iter()
         .map(|most| if *most > 0.0 { *most } else { 1.0 })
         .collect()
-}
-
-fn squared_violation(solution: &Solution, units: &[f64]) -> f64 {
-    solution
-        .constraints
-        .iter()
-        .zip(units)
-        .map(|(constraint, unit)| (constraint.violation / unit).powi(2))
-        .sum()
 }
