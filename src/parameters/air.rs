@@ -23,7 +23,7 @@ pub struct Alternatives {
     pub name: &'static str,
     by: &'static [&'static str],
     replaced: &'static [&'static str],
-    rule: &'static str,
+    pub(super) rule: &'static str,
 }
 
 static ALTERNATIVES: [Alternatives; 2] = [
@@ -101,7 +101,7 @@ impl<T> Air<T> {
 }
 
 /// The alternatives that may replace the parameter `name`.
-fn replacing(name: &str) -> Option<&'static Alternatives> {
+pub(super) fn replacing(name: &str) -> Option<&'static Alternatives> {
     ALTERNATIVES.iter().find(|one| one.replaced.contains(&name))
 }
 
@@ -114,17 +114,6 @@ pub(crate) fn is_reset(name: &str, text: &str) -> bool {
 /// True if `other`, once set, determines the parameter `name`.
 pub(crate) fn follows_from(name: &str, other: &str) -> bool {
     replacing(name).is_some_and(|alternatives| alternatives.by.contains(&other))
-}
-
-/// Advice for the end of a sentence: the parameters that may replace the parameter `name`. Empty if
-/// none can replace it.
-pub(super) fn replacement_advice(name: &str) -> String {
-    replacing(name).map_or_else(String::new, |alternatives| {
-        format!(
-            ", or also give the parameters that determine it: {}",
-            alternatives.rule
-        )
-    })
 }
 
 /// A parameter that was given together with a parameter that replaces it.

@@ -1,4 +1,4 @@
-use super::air::{Conflict, is_reset, replacement_advice};
+use super::air::{Conflict, is_reset, replacing};
 use super::choices::{GOLFER, Golfer, METHOD, Method, SPEED_OF, SpeedOf};
 use super::declare::{Kind, Parameter, Slot, is_unset};
 use super::law_table::{LawTable, TABLE, TABLE_LAW};
@@ -111,11 +111,12 @@ impl Parameter {
     }
 
     fn needs_a_value(&self) -> Error {
-        let source = format!(
-            "it cannot be unset; give it a value{}",
-            replacement_advice(self.name)
-        );
-        Error::unreadable(self.name, source)
+        let mut reason = "it cannot be unset; give it a value".to_owned();
+        if let Some(alternatives) = replacing(self.name) {
+            reason += ", or also give the parameters that determine it: ";
+            reason += alternatives.rule;
+        }
+        Error::unreadable(self.name, reason)
     }
 
     /// Checks a value, SI, against the range.
@@ -764,7 +765,13 @@ fn refuse_idle_law_and_turf(settings: &[SettingText<'_>]) -> Result<(), SettingF
     if let Some(index) = settings.iter().position(is_another_law)
         && is_given(TABLE)
     {
-        let error = table_with_another_law(settings[index].text.trim());
+        let law = settings[index].text.trim();
+        let error = Error::Together {
+            given: format!("{TABLE} and {LAW} = {law} are both given"),
+            reason: format!(
+                "a table is a law of its own, {LAW} = {TABLE_LAW}; keep one of the two"
+            ),
+        };
         return Err(SettingFault::of_value(index, error));
     }
     let index = place(TURF).unwrap_or_default();
@@ -781,14 +788,5 @@ fn rank(name: &str, text: &str) -> u8 {
         TURF => 2,
         _ if is_reset(name, text) => 4,
         _ => 3,
-    }
-}
-
-/// The error for a user's own table (`aero.table`) together with another law (`aero.law`).
-fn table_with_another_law(law: &str) -> Error {
-    let reason = format!("a table is a law of its own, {LAW} = {TABLE_LAW}; keep one of the two");
-    Error::Together {
-        given: format!("{TABLE} and {LAW} = {law} are both given"),
-        reason,
     }
 }
