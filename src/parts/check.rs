@@ -139,12 +139,18 @@ pub fn check(folder: &Path, wanted: Option<&SweepDefinition>, contents: bool) ->
         file: folder.display().to_string(),
         reason,
     };
-    let names = file_names(folder).map_err(|error| {
+    let unreadable = |error: std::io::Error| {
         refuse(format!(
             "{}; name the folder of the parts",
             read_error_text(&error)
         ))
-    })?;
+    };
+    let mut names = vec![];
+    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+        let entry = entry.map_err(unreadable)?;
+        names.push(entry.file_name().to_string_lossy().into_owned());
+    }
+    names.sort();
     let unfinished = names
         .iter()
         .filter(|name| name.starts_with(".longdrive-"))
@@ -179,15 +185,6 @@ pub fn check(folder: &Path, wanted: Option<&SweepDefinition>, contents: bool) ->
     };
     checked.add_parts(folder, parts, contents);
     Ok(checked)
-}
-
-fn file_names(folder: &Path) -> std::io::Result<Vec<String>> {
-    let mut names = vec![];
-    for entry in std::fs::read_dir(folder)? {
-        names.push(entry?.file_name().to_string_lossy().into_owned());
-    }
-    names.sort();
-    Ok(names)
 }
 
 /// Footers of the Parquet files; files without a readable footer become faults.
