@@ -62,7 +62,12 @@ impl Face {
     /// The errors of [`Batch::new`](crate::batch::Batch::new) if the launch is given;
     /// [`Error::NoFlight`] if no strike flies.
     pub fn of(setup: &Setup<f64>) -> Result<Self> {
-        let half = half_of(setup);
+        let club = &setup.club;
+        let (bulge, roll) = (club.bulge_radius, club.roll_radius);
+        let third = club.face_semi_axis.unwrap_or((bulge * roll).sqrt());
+        let end = |radius: f64| WITHIN * (radius * third).sqrt();
+        // half-width and half-height: typical values, limited by bulge and roll
+        let half = [HALF[0].min(end(bulge)), HALF[1].min(end(roll))];
         let [across, up] = ranges(setup, half)?;
         let plane = Plane::fly(setup, &Self::OUTCOMES, across, up, NODES, Order::First)?;
         let longest = plane
@@ -177,13 +182,4 @@ fn tilts(setup: &Setup<f64>, centred: &Setup<f64>, half: [f64; 2]) -> Result<Vec
     };
     let nodes = plane.values[0].iter().enumerate();
     Ok(nodes.filter_map(tilt).collect())
-}
-
-/// Half-width and half-height of the face: typical values, limited by bulge and roll.
-fn half_of(setup: &Setup<f64>) -> [f64; 2] {
-    let club = &setup.club;
-    let (bulge, roll) = (club.bulge_radius, club.roll_radius);
-    let third = club.face_semi_axis.unwrap_or((bulge * roll).sqrt());
-    let end = |radius: f64| WITHIN * (radius * third).sqrt();
-    [HALF[0].min(end(bulge)), HALF[1].min(end(roll))]
 }

@@ -98,14 +98,6 @@ impl Goal {
         }
     }
 
-    /// The outcome with its weight, if the goal is the value or the mean of one outcome.
-    pub(super) fn mean_outcome(&self) -> Option<(f64, Outcome)> {
-        match self.terms.as_slice() {
-            [(weight, Measure::Mean(of))] => Some((*weight, *of)),
-            _ => None,
-        }
-    }
-
     /// Outcomes that the measures of the goal need.
     pub fn outcomes(&self) -> Vec<Outcome> {
         self.terms

@@ -2,7 +2,7 @@
 //! evaluate.
 
 use super::goal::{Constraint, Goal};
-use super::swings::Scenarios;
+use super::swings::{Measure, Scenarios};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::{Domain, Options};
@@ -53,7 +53,10 @@ impl Sense {
     /// Warning that the best value of a goal with a side, such as `lateral`, is the value farthest
     /// to one side.
     pub(super) fn side_warning(self, goal: &Goal) -> Option<Message> {
-        let (weight, of) = goal.mean_outcome()?;
+        // a value of one drive, or the mean over the swings
+        let [(weight, Measure::Mean(of))] = goal.terms.as_slice() else {
+            return None;
+        };
         if !of.is_to_the_right() {
             return None;
         }

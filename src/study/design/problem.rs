@@ -169,15 +169,21 @@ impl Design {
         of: Outcome,
     ) -> Result<Option<Enforcement>> {
         let begun = Vary::initialized(setup, &self.search.vary)?;
-        let moves = |row: &Parameter| changes_the_head(&begun, row);
+        let has_weights = begun.club.weights().iter().any(Option::is_some);
+        let moves_weights = ["club.mass", "club.cg_", "club.weight_", "club.loft"];
+        // a change of the mass distribution of the head, or of the orientation of its weights
+        let changes_the_head = |row: &Parameter| {
+            row.is_of_inertia()
+                || has_weights && moves_weights.iter().any(|part| row.name.starts_with(part))
+        };
         let places: Vec<_> = (0..scenarios.parameters.len())
-            .filter(|k| moves(scenarios.parameters[*k]))
+            .filter(|k| changes_the_head(scenarios.parameters[*k]))
             .collect();
         let swung = places.first().map(|k| scenarios.parameters[*k]);
         let value = |setup: &Setup<f64>| -> Result<f64> {
             Ok(evaluate(setup, &[of], &[], Order::Value)?[0].value)
         };
-        match (self.varies(moves), swung) {
+        match (self.varies(changes_the_head), swung) {
             (true, Some(swung)) => {
                 let source = format!(
                     "the swings have values of it, and a varied parameter changes {} too: the \
@@ -405,15 +411,6 @@ fn checked(rule: &GolfRule, value: f64, found: &str, advice: &str) -> Result<f64
         limit: rule.expression(),
         advice: advice.into(),
     })
-}
-
-/// Reports whether a parameter changes the mass distribution of the head, or the orientation of its
-/// weights.
-fn changes_the_head(setup: &Setup<f64>, row: &Parameter) -> bool {
-    let has_weights = setup.club.weights().iter().any(Option::is_some);
-    let moves_weights = ["club.mass", "club.cg_", "club.weight_", "club.loft"];
-    row.is_of_inertia()
-        || has_weights && moves_weights.iter().any(|part| row.name.starts_with(part))
 }
 
 /// Rejects strikes that lie outside the face of any conforming head, or outside the largest face

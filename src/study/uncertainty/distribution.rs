@@ -162,9 +162,18 @@ impl Distribution {
                     return low + p * (high - low);
                 }
                 let normal = Normal::standard();
-                let (ends, sign) = below_the_mean([low, high].map(|end| (end - mean) / deviation));
+                let [from, to] = [low, high].map(|end| (end - mean) / deviation);
+                // bounds above the mean are mirrored to below the mean: probabilities of the upper
+                // tail suffer cancellation, those of the lower tail keep their relative precision
+                let is_mirrored = from > 0.0;
+                let ends = if is_mirrored {
+                    [-to, -from]
+                } else {
+                    [from, to]
+                };
                 let [below, above] = ends.map(|end| normal.cdf(end));
-                let p = if sign < 0.0 { 1.0 - p } else { p };
+                let p = if is_mirrored { 1.0 - p } else { p };
+                let sign = if is_mirrored { -1.0 } else { 1.0 };
                 let value =
                     mean + deviation * sign * normal.inverse_cdf(below + (above - below) * p);
                 if low < high {
@@ -255,17 +264,6 @@ impl Distribution {
                 ..
             } => deviation.min((high - low) / std::f64::consts::PI).powi(2),
         }
-    }
-}
-
-/// The bounds of a truncated standard normal distribution, with the sign 1. If both bounds are
-/// above the mean, they are mirrored to below the mean, with the sign −1. Probabilities of the
-/// upper tail suffer cancellation; probabilities of the lower tail keep their relative precision.
-fn below_the_mean([low, high]: [f64; 2]) -> ([f64; 2], f64) {
-    if low > 0.0 {
-        ([-high, -low], -1.0)
-    } else {
-        ([low, high], 1.0)
     }
 }
 
