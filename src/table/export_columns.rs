@@ -1,7 +1,6 @@
 //! Columns of an export: default units, and columns that are ignored.
 
 use super::CONDITIONS;
-use super::air::air_replaced;
 use super::column::{Column, Content};
 use super::heads::Meaning;
 use super::launch_monitor::nearest_head;
@@ -148,13 +147,6 @@ pub(crate) fn near_known(columns: &[Column]) -> String {
     }
 }
 
-/// Message if the air of the setup replaces the air that an export states for each row; `None` for
-/// other tables.
-pub(crate) fn given_air(columns: &[Column]) -> Option<String> {
-    let column = columns.iter().find(|column| column.is_overridden_air)?;
-    Some(air_replaced(&column.head))
-}
-
 /// Remark on angles without a unit, which are read in degrees.
 pub(crate) fn in_degrees<'a>(columns: impl IntoIterator<Item = &'a Column>) -> Option<String> {
     let heads = heads_of(columns, Column::is_in_assumed_degrees);
@@ -184,7 +176,16 @@ pub(crate) fn ignore_columns(columns: &mut [Column], table_use: TableUse) -> Vec
         // a delivery does not depend on the rest position: it is among the columns that are not used
         ignore_totals(columns);
     }
-    let mut remarks: Vec<Message> = unknown_columns(columns).into_iter().collect();
+    let mut remarks: Vec<Message> = vec![];
+    let unknown: Vec<String> = columns
+        .iter()
+        .filter(|column| column.is_unknown() && !column.head.is_empty())
+        .map(|column| with_nearest(&column.head))
+        .collect();
+    if !unknown.is_empty() {
+        let list = unknown.join(", ");
+        remarks.push(format!("columns that are not used: {list}").into());
+    }
     if table_use == TableUse::Measurements {
         remarks.extend(ignore_totals(columns));
     }
@@ -281,14 +282,4 @@ fn ignore_totals(columns: &mut [Column]) -> Option<Message> {
         column.content = Content::Note;
     }
     remark
-}
-
-fn unknown_columns(columns: &[Column]) -> Option<Message> {
-    let unknown: Vec<String> = columns
-        .iter()
-        .filter(|column| column.is_unknown() && !column.head.is_empty())
-        .map(|column| with_nearest(&column.head))
-        .collect();
-    let list = unknown.join(", ");
-    (!unknown.is_empty()).then(|| format!("columns that are not used: {list}").into())
 }

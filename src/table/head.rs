@@ -1,11 +1,11 @@
 //! The column heads of a table: meaning of the columns, and errors in column heads.
 
 use super::CONDITIONS;
-use super::air::weather_of_rows;
+use super::air::{air_replaced, weather_of_rows};
 use super::column::{Column, Content, LAUNCH, STATUS, TableFormat};
 use super::decimal_mark::DecimalMark;
 use super::export_columns::{
-    assume_unit, assumed_units_remark, columns_remark, given_air, ignore_columns, in_degrees,
+    assume_unit, assumed_units_remark, columns_remark, ignore_columns, in_degrees,
 };
 use super::launch_monitor::{is_export, split_unit, units_row, words};
 use super::maker::maker;
@@ -209,7 +209,9 @@ impl TableHead {
         remarks.extend(in_degrees(&self.columns).map(Message::from));
         remarks.extend(assumed_units_remark(&self.assumed_units));
         remarks.extend(self.turned.clone().map(Message::from));
-        remarks.extend(given_air(&self.columns).map(Message::from));
+        if let Some(column) = self.columns.iter().find(|column| column.is_overridden_air) {
+            remarks.push(air_replaced(&column.head).into());
+        }
         remarks
     }
 

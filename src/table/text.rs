@@ -234,24 +234,19 @@ impl TextTable {
         {
             self.give_back(below);
         }
-        let rows = self.rows_ahead(&head);
+        // read ahead the first rows of the section; `next_entry` returns them again
+        let separator = self.separator;
+        let lines = self.lines.ahead(MOST_ROWS);
+        let rows = lines
+            .take_while(|line| !(head.format.is_export && is_head(line, separator)))
+            .map(|line| cells(line, separator).into_iter().map(Into::into).collect())
+            .filter(|row: &Vec<String>| row.len() >= head.heads.len())
+            .collect();
         head.interpret(&self.setup, rows, self.table_use);
         if self.is_air_given {
             ignore_stated_air(&mut head.columns);
         }
         Ok(head)
-    }
-
-    /// Reads ahead the first rows of the section with this head. [`next_entry`](Self::next_entry)
-    /// returns them again.
-    fn rows_ahead(&mut self, head: &TableHead) -> Vec<Vec<String>> {
-        let separator = self.separator;
-        let lines = self.lines.ahead(MOST_ROWS);
-        lines
-            .take_while(|line| !(head.format.is_export && is_head(line, separator)))
-            .map(|line| cells(line, separator).into_iter().map(Into::into).collect())
-            .filter(|row: &Vec<String>| row.len() >= head.heads.len())
-            .collect()
     }
 
     /// The next row or line of column heads; `None` at the end.

@@ -63,10 +63,12 @@ impl ParquetFile {
             Some(ColumnReader::DoubleColumnReader(column)) => read!(column, |value| value),
             Some(ColumnReader::FloatColumnReader(column)) => read!(column, f64::from),
             Some(ColumnReader::Int32ColumnReader(column)) => {
-                read!(column, |value| integers.number_of_i32(value))
+                read!(column, |value| integers
+                    .number(f64::from(value), f64::from(value.cast_unsigned())))
             }
             Some(ColumnReader::Int64ColumnReader(column)) => {
-                read!(column, |value| integers.number_of_i64(value))
+                read!(column, |value| integers
+                    .number(value as f64, value.cast_unsigned() as f64))
             }
             _ => {
                 return Err(ParquetError::General(
@@ -179,19 +181,13 @@ impl StoredIntegers {
         }
     }
 
-    fn number_of_i32(self, value: i32) -> f64 {
+    /// The number that a stored integer means, given its value as a signed and as an unsigned
+    /// integer.
+    fn number(self, signed: f64, unsigned: f64) -> f64 {
         match self {
-            Self::Signed => f64::from(value),
-            Self::Unsigned => f64::from(value.cast_unsigned()),
-            Self::Decimal { divisor } => f64::from(value) / divisor,
-        }
-    }
-
-    fn number_of_i64(self, value: i64) -> f64 {
-        match self {
-            Self::Signed => value as f64,
-            Self::Unsigned => value.cast_unsigned() as f64,
-            Self::Decimal { divisor } => value as f64 / divisor,
+            Self::Signed => signed,
+            Self::Unsigned => unsigned,
+            Self::Decimal { divisor } => signed / divisor,
         }
     }
 }
