@@ -1,6 +1,6 @@
 //! Grammar of units: products of symbols with powers.
 
-use super::symbols::{Dimension, Symbol, spelled, symbol};
+use super::symbols::{Dimension, spelled, symbol};
 
 /// A unit: size, dimension and zero. The SI size is a fraction. Decimal units (g, cm², %) have a
 /// whole number as denominator: 5679 g cm² is 5679/10⁷ kg m² to the last bit.
@@ -14,17 +14,6 @@ pub(crate) struct Unit {
 }
 
 impl Unit {
-    /// A unit of one symbol.
-    fn of_symbol(symbol: &Symbol) -> Self {
-        let [numerator, denominator] = fraction(symbol.size);
-        Self {
-            numerator,
-            denominator,
-            dimension: symbol.dimension,
-            zero: symbol.zero,
-        }
-    }
-
     /// SI value of a quantity in this unit: 25 degC is 298.15 K.
     pub fn value(&self, number: f64) -> f64 {
         let above = self.difference(number);
@@ -49,7 +38,13 @@ impl Unit {
 pub(super) fn read_unit(text: &str) -> Option<Unit> {
     // fast path for a single symbol: a table of shots converts several values in every row
     if let Some(symbol) = spelled(text) {
-        return Some(Unit::of_symbol(symbol));
+        let [numerator, denominator] = fraction(symbol.size);
+        return Some(Unit {
+            numerator,
+            denominator,
+            dimension: symbol.dimension,
+            zero: symbol.zero,
+        });
     }
     let spaced = text.replace('/', " / ").replace(['*', '·', '⋅', '.'], " ");
     let spaced = without_hyphens(&spaced);
