@@ -418,8 +418,8 @@ fn independent_club_speeds_by_a_smash_factor_and_unused_totals() {
         let file = file_with(folder.path(), "shots.csv", &table);
         let (status, answer) = json(&["delivery", "--shots", &file]);
         assert_eq!(status, 0, "{answer}");
-        let text = on_one_line(&longdrive(&["delivery", "--shots", &file]).out);
-        assert!(text.contains("columns that are not used: Total"), "{text}");
+        let remarks = on_one_line(&longdrive(&["delivery", "--shots", &file]).err);
+        assert!(remarks.contains("not used: Total"), "{remarks}");
         [0, 1].map(|row| number(&answer["rows"][row]["known"][0]["value"]) / 0.44704)
     };
     let (without, with) = (
