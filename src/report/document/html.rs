@@ -155,17 +155,23 @@ impl Parts<'_> {
 }
 
 fn table(metric: &DocumentTable, us: &DocumentTable, is_stacked: bool) -> Markup {
+    // the cells of these columns name the row, so they need no head on a narrow page
+    let is_key = |column: usize| column < us.key_columns;
     let class = |column: usize| {
-        if us.is_right[column] {
+        let kind = if us.is_right[column] {
             "number"
         } else {
             "words"
+        };
+        if is_stacked && is_key(column) {
+            format!("{kind} key")
+        } else {
+            kind.into()
         }
     };
     let heads = metric.head.iter().zip(&us.head);
     let heads: Vec<Markup> = heads.map(|(metric, us)| chosen(metric, us)).collect();
-    // the first cell of a row names the row
-    let has_label = |column: usize| is_stacked && column > 0 && !heads[column].0.is_empty();
+    let has_label = |column: usize| is_stacked && !is_key(column) && !heads[column].0.is_empty();
     html! {
         table class=[is_stacked.then_some("stacked")] {
             thead { tr {
