@@ -17,8 +17,8 @@ pub const PRESET: &str = "preset";
 /// `club.inertia.xx` need three levels.
 const DEEPEST: usize = 4;
 
-/// True if the argument `angles` names degrees as the unit of angles that are given as numbers. False
-/// for radians, and without this argument.
+/// True if the argument `angles` names degrees as the unit of angles that are given as numbers.
+/// False for radians, and without this argument.
 pub fn are_degrees(angles: Option<&Bound<'_, PyAny>>) -> Answer<bool> {
     let Some(angles) = angles else {
         return Ok(false);

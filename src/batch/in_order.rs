@@ -27,7 +27,7 @@ fn thread_count(wanted: usize, chunks: u64) -> usize {
 
 /// The number of processors. The environment variable `RAYON_NUM_THREADS` overrides it, as in
 /// rayon.
-fn processors() -> usize {
+pub(crate) fn processors() -> usize {
     std::env::var("RAYON_NUM_THREADS")
         .ok()
         .and_then(|number| number.parse().ok())

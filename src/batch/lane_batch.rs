@@ -192,7 +192,7 @@ impl LaneBatch<'_> {
         );
     }
 
-    /// Writes the results of a drive that landed: those of a lane of `flown`. An outcome without a
+    /// Writes the results of the drive in a lane of `flown`, which has landed. An outcome without a
     /// value stays missing. `fitted` has the ranges of the law.
     #[inline(always)]
     fn write_row<J: Lanes>(
@@ -246,7 +246,7 @@ struct FlownLanes<'a, J: Lanes> {
 }
 
 impl<J: Lanes> FlownLanes<'_, J> {
-    /// Validity limits that the drive of a lane with this landing exceeds.
+    /// Validity limits that the drive in a lane exceeds. `landed` is its landing.
     #[inline(always)]
     fn exceeded_limits(
         &self,

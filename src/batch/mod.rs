@@ -46,7 +46,7 @@ mod sweep_definition;
 pub use block::{Block, Status, StatusCounts};
 pub use definition::Batch;
 pub use grid::{Grid, GridAxis};
-pub(crate) use in_order::{HAS_THREADS, in_order};
+pub(crate) use in_order::{HAS_THREADS, in_order, processors};
 pub use points::Points;
 pub(crate) use points::refuse_repeated;
 pub use run::{CHUNK, Run};

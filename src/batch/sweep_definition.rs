@@ -55,16 +55,16 @@ impl SweepDefinition {
         }
     }
 
-    /// JSON for the metadata of each file.
+    /// JSON for the metadata of a Parquet file: a part, or a whole sweep.
     #[cfg(feature = "parquet")]
     pub(crate) fn text(&self) -> String {
         // serialization cannot fail: the fields are strings and integers
         serde_json::to_string(self).unwrap_or_default()
     }
 
-    /// Difference from another definition, in words; `None` if they are equal. The setup is named
-    /// only if nothing else differs, because its integration step depends on all else, and the
-    /// tolerance only if no option of the sweep differs.
+    /// Difference from another definition, in words; `None` if they are equal. Setup and tolerance
+    /// are compared last: the integration step in the setup and the largest defect depend on
+    /// everything else.
     pub fn difference(&self, other: &Self) -> Option<String> {
         let functions = "C libraries or processors, which round sines and logarithms differently: \
                          functions";
@@ -94,9 +94,14 @@ impl SweepDefinition {
         if !differ.is_empty() {
             return Some(format!("different {}", differ.join(", ")));
         }
-        if self.largest_defect != other.largest_defect {
-            return Some("different tolerances".into());
-        }
-        (self.setup != other.setup).then(|| "different setups".into())
+        let is_other_setup = self.setup != other.setup;
+        let is_other_tolerance = self.largest_defect != other.largest_defect;
+        let what = match (is_other_setup, is_other_tolerance) {
+            (true, true) => "setups or tolerances",
+            (true, false) => "setups",
+            (false, true) => "tolerances",
+            (false, false) => return None,
+        };
+        Some(format!("different {what}"))
     }
 }

@@ -280,9 +280,8 @@ impl CommandLine {
     }
 }
 
-/// Replaces the advice of an error about an angle that is out of range. If the request states the
-/// angle without a unit, the new advice proposes the number in degrees. `bare_angles` are the
-/// angles without a unit in the request, rad.
+/// If an angle is out of range and the request states it without a unit, advises to write the
+/// number in degrees. `bare_angles` are the angles without a unit in the request, rad.
 pub fn with_degrees(error: Error, bare_angles: &[f64]) -> Error {
     match error {
         Error::OutOfRange {

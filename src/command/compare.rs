@@ -57,7 +57,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let requests = args.pair.requests()?;
     let comparison = args.pair.comparison(&requests)?;
     warn(comparison.warnings(Outcome::ALL));
-    let origin = origin(&requests);
+    let origin = origin_of_pair(&requests);
     if !is_json() && !origin.advice.is_empty() {
         note(&origin.advice);
     }
@@ -82,7 +82,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 
 /// The advice on the loft of the first drive that needs it. There is no title: the answer itself
 /// names both setups.
-pub fn origin(requests: &[Request; 2]) -> SetupOrigin {
+pub fn origin_of_pair(requests: &[Request; 2]) -> SetupOrigin {
     let advice = requests.iter().find_map(Request::loft_advice);
     SetupOrigin {
         advice: advice.unwrap_or_default(),
@@ -150,8 +150,7 @@ impl PairArgs {
     /// The comparison of the two drives.
     ///
     /// # Errors
-    /// The errors of [`Request::one_of_two_within_tolerance`] and
-    /// [`Comparison::new`].
+    /// The errors of [`Request::one_of_two_within_tolerance`] and [`Comparison::new`].
     pub fn comparison(&self, [a, b]: &[Request; 2]) -> Result<Comparison> {
         let setups = [
             a.one_of_two_within_tolerance()

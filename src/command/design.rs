@@ -56,8 +56,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     // a setup file that names no preset starts from `tour-average`, which exceeds limits of the
     // Rules of Golf
     if !request.source.content.names_preset {
-        let source = "it names no preset; name the one that it starts from in its first line, as in \
-                      preset = \"modern-driver\"";
+        let source = "it names no preset; name the one that it starts from in its first line, as \
+                      in preset = \"modern-driver\"";
         return Err(Error::unreadable(request.source.name(), source));
     }
     request.refuse_launch(

@@ -72,7 +72,7 @@ pub struct SearchRanges {
 }
 
 impl SearchRanges {
-    /// The ranges of `--vary`, which `texts` are.
+    /// Reads the ranges of `--vary` from their texts.
     ///
     /// # Errors
     /// The errors of [`Vary::read`].

@@ -66,7 +66,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     answer(args, &of, &setup, None, &request.origin())
 }
 
-/// The slopes and effects at a drive, which is that of the optimum `best` if there is one.
+/// The slopes and effects at the drive `setup`. With `--at-optimum`, `best` is the optimum with this
+/// setup.
 fn answer(
     args: &Args,
     of: &[Outcome],

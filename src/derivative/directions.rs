@@ -53,14 +53,15 @@ impl Directions<'_> {
     #[inline(always)]
     pub fn in_lane<J: Lanes>(&self, lane: usize) -> &[usize] {
         self.variables
-            .chunks(J::DIRECTIONS.max(1))
+            .chunks(variables_per_lane::<J>())
             .nth(lane)
             .unwrap_or_default()
     }
 
     /// Number of lanes of `J` with variables, at least one.
     pub fn lanes<J: Lanes>(&self) -> usize {
-        self.variables.len().div_ceil(J::DIRECTIONS.max(1)).max(1)
+        let per_lane = variables_per_lane::<J>();
+        self.variables.len().div_ceil(per_lane).max(1)
     }
 
     /// Calls `put` with each variable and a number. The number has the value of the variable, and
@@ -68,7 +69,7 @@ impl Directions<'_> {
     /// variable, `put` is called several times with this variable.
     #[inline(always)]
     pub fn seeded<J: Lanes>(&self, value: impl Fn(usize) -> f64, mut put: impl FnMut(usize, J)) {
-        let per_lane = J::DIRECTIONS.max(1);
+        let per_lane = variables_per_lane::<J>();
         for (at, &variable) in self.variables.iter().enumerate() {
             let own = at / per_lane;
             let changes_in = inlined!(|direction: usize| {
@@ -90,4 +91,10 @@ impl Directions<'_> {
             );
         }
     }
+}
+
+/// Variables of a lane: a lane without derivatives counts as one with a single variable.
+#[inline(always)]
+fn variables_per_lane<J: Lanes>() -> usize {
+    J::DIRECTIONS.max(1)
 }

@@ -295,8 +295,8 @@ impl<'s> TestedDrives<'s> {
                 // the ball lands but does not come to rest, so this outcome does not exist
                 (None, None) if of.needs_run() => continue,
                 _ => {
-                    let drive = self.drive(row);
-                    return Err(format!("{name} of {drive} does not exist with all steps"));
+                    let (drive, status) = (self.drive(row), flown.status(row));
+                    return Err(format!("{name} of {drive} is not comparable ({status})"));
                 }
             };
             if error > limit {

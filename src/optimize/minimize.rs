@@ -114,7 +114,7 @@ fn run(
         .param(start.to_vec())
         .max_iters(options.max_iterations);
     if let Some(snapshot) = observer.resume {
-        // with a number above 0 the executor does not begin with `init`
+        // argmin calls `init` only at iteration 0
         state.iter = snapshot.iterations;
         solver.progress = snapshot.progress;
         if let Some(search) = &mut solver.progress.state {

@@ -7,8 +7,8 @@ use parquet::column::writer::ColumnWriter;
 use parquet::data_type::ByteArray;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::{
-    FileMetaData, KeyValue, ParquetMetaData, ParquetMetaDataReader, ParquetMetaDataWriter,
-    RowGroupMetaData,
+    ColumnChunkMetaData, FileMetaData, KeyValue, ParquetMetaData, ParquetMetaDataReader,
+    ParquetMetaDataWriter, RowGroupMetaData,
 };
 use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
 use parquet::file::writer::SerializedFileWriter;
@@ -91,6 +91,21 @@ impl RowGroups {
         let Some(group) = alone.row_groups().first().cloned() else {
             return Err(ParquetError::General("metadata without a row group".into()));
         };
+        // `byte_range` asserts positive numbers, and sums of greater numbers would overflow
+        let is_valid = |column: &ColumnChunkMetaData| {
+            let dictionary = column.dictionary_page_offset().unwrap_or(0);
+            let numbers = [
+                dictionary,
+                column.data_page_offset(),
+                column.compressed_size(),
+            ];
+            numbers.iter().all(|number| (0..1 << 60).contains(number))
+        };
+        if !group.columns().iter().all(is_valid) {
+            return Err(ParquetError::General(
+                "an offset or length out of range".into(),
+            ));
+        }
         let at = self.end();
         let by = at - PARQUET_MAGIC.len() as i64;
         let columns = group.columns().iter().cloned().map(|column| {
@@ -109,7 +124,7 @@ impl RowGroups {
     }
 
     /// Offset of the next row group in the file, bytes.
-    fn end(&self) -> i64 {
+    pub fn end(&self) -> i64 {
         let columns = self.0.last().map(RowGroupMetaData::columns);
         let ends = columns.into_iter().flatten().map(|column| {
             let (at, length) = column.byte_range();

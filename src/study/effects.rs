@@ -123,8 +123,7 @@ pub fn effects(
 ) -> Result<Vec<Effects>> {
     sigmas.iter().try_for_each(|sigma| sigma.check(setup))?;
     let mut parameters = setup.variables();
-    // a parameter of the run whose uncertainty is stated has an effect, 0, also if no outcome needs
-    // the run
+    // keep a parameter with a stated uncertainty: its effect is 0 if no outcome depends on the run
     let of_outcomes = all_variables(setup, of);
     let has_sigma = |parameter| sigmas.iter().any(|sigma| sigma.parameter == parameter);
     parameters.retain(|parameter| of_outcomes.contains(parameter) || has_sigma(*parameter));

@@ -67,9 +67,9 @@ impl Optima {
     }
 }
 
-/// Replaces `best` if a search from the optimum of the club alone finds a better optimum: if club
-/// and ball, with the swing as set up, are better than `best` and within the ranges of the search, a
-/// search starts there. Returns the value that club and ball achieve alone; `None` in these cases:
+/// Searches again from the optimum of the club alone (club and ball, with the swing as set up), if
+/// that optimum is better than `best` and within the ranges of the search. A better result replaces
+/// `best`. Returns the value that club and ball achieve alone; `None` in these cases:
 ///
 /// - `best` has not converged;
 /// - the search is over swings;

@@ -173,7 +173,7 @@ pub(crate) fn in_degrees<'a>(columns: impl IntoIterator<Item = &'a Column>) -> O
 /// Returns remarks, also on unknown columns.
 pub(crate) fn ignore_columns(columns: &mut [Column], table_use: TableUse) -> Vec<Message> {
     if table_use == TableUse::Deliveries {
-        // a delivery does not depend on the rest position: it is among the columns that are not used
+        // a delivery does not depend on the rest position: list it among the unused columns
         ignore_totals(columns);
     }
     let mut remarks: Vec<Message> = vec![];

@@ -115,8 +115,8 @@ impl TableHead {
         resolve_sweep_names(&mut self.columns);
     }
 
-    /// Finds the maker of an export, the signs of its spins and the air of its rows, ignores columns
-    /// that are not used, and assumes units that are missing.
+    /// Finds the maker of an export, the signs of its spins and the air of its rows. Ignores columns
+    /// that are not used, and assumes missing units.
     fn interpret_export(&mut self, setup: &Setup<f64>, table_use: TableUse) {
         self.maker = maker(&self.heads);
         self.labels = Some(ShotLabels::find(&self.columns, &self.rows));

@@ -928,3 +928,30 @@ fn exact_units_of_derivatives_and_deviations_in_a_summary() {
         .collect();
     assert!(cells[3].trim().ends_with(" yd"), "{cells:?}");
 }
+
+/// Without a stated step, the step and the largest defect follow from the setup: the message names
+/// the setup all the same.
+#[test]
+fn a_part_of_another_setup_with_a_step_of_its_own_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let question = [
+        "sweep",
+        "--over",
+        "club.loft=5deg..15deg:2000",
+        "--outcomes",
+        "carry",
+    ];
+    assert_eq!(write(&question, 1, 2, folder.path(), &[]).0, 0);
+    for (other, differs) in [
+        (["--set", "swing.attack_angle=3deg"], "different setups"),
+        (["--outcomes", "total"], "different outcomes"),
+    ] {
+        let mut question = question.to_vec();
+        if other[0] == "--outcomes" {
+            question.truncate(3);
+        }
+        let (status, answer) = write(&question, 2, 2, folder.path(), &other);
+        let message = answer["message"].as_str().unwrap_or_default();
+        assert!(status == 2 && message.contains(differs), "{message}");
+    }
+}

@@ -688,6 +688,24 @@ mod in_parquet {
         );
     }
 
+    /// A journal may be damaged: metadata with any one bit changed is read or refused.
+    #[test]
+    fn damaged_metadata_of_a_row_group_does_not_panic() {
+        let (batch, _) = small();
+        let table = SweepParquet::new(&batch, "").unwrap();
+        let block = batch.evaluate(0, vec![0.2, 0.01]);
+        let metadata = table.group(&[block]).unwrap().metadata;
+        let mut refused = 0;
+        for bit in 0..8 * metadata.len() {
+            let mut damaged = metadata.clone();
+            damaged[bit / 8] ^= 1 << (bit % 8);
+            let mut groups = RowGroups::default();
+            refused += usize::from(groups.add(&damaged).is_err());
+            groups.add(&metadata).unwrap();
+        }
+        assert!(refused > 0);
+    }
+
     #[test]
     fn exact_null_for_a_missing_swept_parameter() {
         let (batch, _) = small();

@@ -186,8 +186,8 @@ fn of_further_clubs(tally: &ShotStatistics) -> Option<Message> {
     })
 }
 
-/// Flies the shots and writes the rows. The caller finishes the output. Adds the final remarks about
-/// the shots, and a remark about values that the format cannot store.
+/// Flies the shots and writes the rows. The caller finishes the output. Adds to `remarks` the final
+/// remarks about the shots, and a remark about values that the format cannot store.
 fn write_rows(
     output: &mut OutputStream,
     format: FlyFormat,

@@ -219,9 +219,9 @@ pub fn warnings(setup: &Setup<f64>, best: Option<&Optimum>, shown: &[Outcome]) -
     warnings
 }
 
-/// The optimum of a search for the plot `target`, which then has the origin of the search. Warns if
-/// the search finds none; the plot then shows only the drive. If the request states an option of the
-/// search, the plot has the status of this search.
+/// The optimum to draw; `None` if the search finds none. In that case warns, and the plot shows only
+/// the drive. Sets the origin of `target`. If the request states an option of the search and there
+/// is no optimum, also sets the ending of `target` to the status of the search.
 pub fn drawn_optimum(
     target: &mut PlotDestination<'_>,
     request: &Request,

@@ -7,7 +7,7 @@ pub use args::Args;
 
 use crate::atmosphere::AirState;
 use crate::command::args::SetupArgs;
-use crate::command::compare::{PairArgs, origin};
+use crate::command::compare::{PairArgs, origin_of_pair};
 use crate::command::gradient::DerivativeArgs;
 use crate::command::host::Progress;
 use crate::command::names::{outcomes, sigmas};
@@ -276,7 +276,7 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
 fn difference(pair: &PairArgs, drawing: &PictureArgs, of: &str) -> Result<Answer> {
     let requests = pair.requests()?;
     let target = PlotDestination::new(requests.iter().flat_map(Request::inputs), drawing)?
-        .about(origin(&requests));
+        .about(origin_of_pair(&requests));
     let of = Outcome::named(of)?;
     let comparison = pair.comparison(&requests)?;
     if !comparison.differs() {

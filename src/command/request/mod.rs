@@ -172,8 +172,8 @@ impl Request {
     }
 
     /// The setup at the start of a search over `ranges`, texts `NAME=LOW..HIGH`: a varied parameter
-    /// without a value gets the middle of its range. A parameter `along` a chart without a value
-    /// gets its lowest value.
+    /// without a value gets the middle of its range. The parameter `along` which a chart runs gets
+    /// the lowest value of its range if it has no value.
     ///
     /// # Errors
     /// The errors of [`setup`](Self::setup) and of [`Vary::read_column`].

@@ -4,7 +4,7 @@ use super::args::Args;
 use super::resumable::part_of;
 use super::rows::{FormattedRows, RowFormatter};
 use crate::atomic_file::folder_of;
-use crate::batch::{Batch, Points};
+use crate::batch::{Batch, Points, processors};
 use crate::units::counted;
 use crate::{Error, Result};
 use bytesize::ByteSize;
@@ -68,10 +68,9 @@ pub fn check(
 
 /// The number of threads that compute rows at the same time.
 fn threads(args: &Args) -> usize {
-    let processors = || std::thread::available_parallelism().map(usize::from);
     match args.threads {
-        0 => processors().unwrap_or(1),
-        threads => threads.min(processors().unwrap_or(threads)),
+        0 => processors(),
+        threads => threads.min(processors()),
     }
 }
 

@@ -6,19 +6,19 @@ use std::io::{self, BufRead, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// The first line of a journal.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct JournalHeader {
     #[serde(flatten)]
     pub definition: SweepDefinition,
-    /// Format of the rows: `csv in metric units`, `jsonl`, `parquet`.
+    /// Format of the rows: `csv`, `csv in metric units`, `jsonl`, `parquet`.
     pub format: String,
     /// True if the rows may replace an existing file.
     pub overwrite: bool,
 }
 
 /// The progress of an incomplete file of rows, in a separate file `FILE.resume`. The first line is
-/// the header. Each further line is an entry: it records that rows were written to
-/// the disk. An incomplete last line, left by a killed program, is ignored.
+/// the header. Each further line is an entry: it records that rows were written to the disk. An
+/// incomplete last line, left by a killed program, is ignored.
 pub struct Journal {
     path: PathBuf,
     file: File,
@@ -106,9 +106,8 @@ impl Journal {
         })
     }
 
-    /// Opens the journal of a file, and returns it with the entries.
-    /// Removes the first entry that `keeps` rejects and all later entries. `None` if there is no
-    /// journal.
+    /// Opens the journal of a file, and returns it with the entries. Removes the first entry that
+    /// `keeps` rejects and all later entries. `None` if there is no journal.
     pub fn open(
         of: &Path,
         keeps: impl Fn(&WrittenRows) -> bool,

@@ -10,6 +10,8 @@ use crate::external_errors::write_error_text;
 use crate::report::{PARQUET_MAGIC, ParquetGroup, RowGroups, SweepParquet};
 use crate::units::counted;
 use crate::{Error, Result};
+#[cfg(feature = "parquet")]
+use std::fmt::Display;
 use std::fs::{File, OpenOptions};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -369,12 +371,19 @@ impl ResumableFile<'_> {
             ..WrittenRows::default()
         };
         for entry in entries {
-            self.groups.add(&entry.group).map_err(|error| {
-                let reason = format!(
-                    "its sweep cannot be resumed ({error}); start it again with `overwrite`"
-                );
+            let unusable = |why: &dyn Display| {
+                let reason =
+                    format!("its sweep cannot be resumed ({why}); start it again with `overwrite`");
                 refused(&self.path, reason)
-            })?;
+            };
+            self.groups
+                .add(&entry.group)
+                .map_err(|error| unusable(&error))?;
+            if u64::try_from(self.groups.end()) != Ok(entry.bytes) {
+                return Err(unusable(
+                    &"a row group has another length than its journal says",
+                ));
+            }
             self.before_groups.push(before);
             before = entry.clone();
         }

@@ -16,7 +16,8 @@ pub struct DocumentTable {
     /// Number of rows in a plain text without the option `all`.
     pub first_rows: usize,
     /// Number of columns, from the left, that identify a row. If a text is too narrow for all
-    /// columns, each of its parts begins with them. At most the number of columns.
+    /// columns, each of its parts begins with them. On a narrow page, their cells have no heads. At
+    /// most the number of columns.
     pub key_columns: usize,
 }
 

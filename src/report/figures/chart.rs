@@ -17,10 +17,9 @@ pub struct ChartFigures {
 }
 
 /// The optimum along a parameter: a plot of the optimal value, and a plot of each varied parameter
-/// that changes, with the bounds of its range. The plots mark `own`, the optimum at the value that
-/// `setup` has of the parameter. `setup` may have no value of the parameter and of varied
-/// parameters. The subtitle names its differences from `preset`. Texts are in the units of
-/// `system`.
+/// that changes, with the bounds of its range. The plots mark `own`, the optimum at the parameter's
+/// value in `setup`. The parameter and varied parameters may be unset in `setup`. The subtitle names
+/// the differences between `setup` and `preset`. Texts are in the units of `system`.
 pub fn chart_figures(
     chart: &Chart,
     setup: &Setup<f64>,

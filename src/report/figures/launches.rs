@@ -65,11 +65,14 @@ fn note(map: &Launches, system: System) -> String {
         );
     }
     notes.extend(map.launched.iter().map(|one| note_of(one, map, system)));
-    notes.push(
-        "The map has the ball speed, launch direction and sidespin of the drive as set up; air and \
-         ball are the setup's."
-            .into(),
-    );
+    let first = match map.launched.first() {
+        Some(one) if one.role == DriveRole::Optimum => "optimum",
+        _ => "drive as set up",
+    };
+    notes.push(format!(
+        "The map has the ball speed, launch direction and sidespin of the {first}; air and ball \
+         are the setup's."
+    ));
     if map.plane.values[0].iter().any(Option::is_none) {
         notes.push("Without colour: no flight.".into());
     }

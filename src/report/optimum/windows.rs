@@ -26,8 +26,8 @@ pub(super) fn window_lines(
     [windows].into_iter().chain(club).collect()
 }
 
-/// A window in words, such as "club.loft 5.36° to 6.94°". An end that is not due to the loss has its
-/// reason: "5.00° (bound)".
+/// A window in words, such as "club.loft 5.36° to 6.94°". An end that is not due to the loss has
+/// its reason: "5.00° (bound)".
 fn window_text(vary: &Vary, window: &Window, system: System) -> String {
     let end = |value: f64, limit: &WindowLimit| {
         let value = shown::parameter(vary.parameter, value, system);

@@ -130,7 +130,7 @@ fn limits(best: &Optimum) -> Markup {
     html! { @if !lines.is_empty() { ul { @for line in lines { li { (line) } } } } }
 }
 
-/// True if varied parameter `i` is fixed, or if the optimum `best` has it at a bound or at a corner.
+/// True if varied parameter `i` is fixed, or at a bound or a corner of the converged optimum `best`.
 fn is_at_bound(best: &Optimum, i: usize) -> bool {
     let Optimum {
         search, solution, ..

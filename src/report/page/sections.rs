@@ -72,7 +72,7 @@ pub(super) fn outcomes(flown: &[NamedDrive]) -> Markup {
     }
 }
 
-/// The optimum: its value, the varied parameters with remarks on their windows, and the constraints.
+/// The optimum: its value, the varied parameters with their windows, and the constraints.
 ///
 /// # Errors
 /// The errors of [`content`].

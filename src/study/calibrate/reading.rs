@@ -300,7 +300,7 @@ impl Reading {
         }
     }
 
-    /// Reads the shot of a row. `values` are in the order of the columns; `stationary` are the names
+    /// Reads the shot of a row. `values` are in the order of the columns; `stationary` has the names
     /// of stationary parameters.
     fn shot(
         &self,
