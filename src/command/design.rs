@@ -66,11 +66,8 @@ pub fn run(args: &Args) -> Result<Answer> {
          out, or give the swing",
     )?;
     let over = swings_or_golfer(swings_args, &request)?;
-    let started = request.with_starts(over.setup, &optimum.search.vary, None)?;
-    let ranges = match optimum.search.vary.is_empty() {
-        true => SearchRanges::usual(usual_vary(&started)?, &request, started),
-        false => SearchRanges::stated(&optimum.search.vary, started)?,
-    };
+    let given = &optimum.search.vary;
+    let ranges = SearchRanges::over_swings(given, &request, over.setup, usual_vary)?;
     let held = ranges.held();
     let requested = search_over_swings(
         &optimum.search,

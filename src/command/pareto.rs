@@ -6,7 +6,7 @@ use crate::command::interrupt;
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, once_a_second, spinner, stated_system, system, warn};
 use crate::command::picture::{PictureArgs, PlotDestination};
-use crate::command::ranges::SearchRanges;
+use crate::command::ranges::{SearchRanges, loft};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::search::{of_a_drive, options};
@@ -174,7 +174,7 @@ fn follow(setup: &Setup<f64>, search: ParetoSearch, stop: &Arc<AtomicBool>) -> R
 /// The setup, and the search for the front of two goals over many swings.
 fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
     let over = args.swings.request(request, false)?;
-    let ranges = SearchRanges::over_swings(&args.vary, request, over.setup)?;
+    let ranges = SearchRanges::over_swings(&args.vary, request, over.setup, loft)?;
     let strokes = args.swings.strokes()?;
     let strokes = strokes.as_ref();
     let goals = args.goals(|option, text| goal(option, text, strokes))?;

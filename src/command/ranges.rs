@@ -57,6 +57,14 @@ fn launch_ranges(setup: &Setup<f64>) -> [String; 2] {
     ]
 }
 
+/// The loft alone: in a search over swings the attack angle varies from swing to swing.
+///
+/// # Errors
+/// The errors of [`Search::longest_drive`].
+pub fn loft(setup: &Setup<f64>) -> Result<Vec<Vary>> {
+    Ok(vec![Search::longest_drive(setup)?.vary[0]])
+}
+
 /// The ranges of `--vary`, or the default ranges of a command without the parameters that the
 /// request states.
 pub struct SearchRanges {
@@ -76,7 +84,7 @@ impl SearchRanges {
     ///
     /// # Errors
     /// The errors of [`Vary::read`].
-    pub fn stated(texts: &[String], started: Setup<f64>) -> Result<Self> {
+    fn stated(texts: &[String], started: Setup<f64>) -> Result<Self> {
         Ok(Self {
             vary: Vary::read_all(&started, texts)?,
             started,
@@ -86,7 +94,7 @@ impl SearchRanges {
     }
 
     /// Default ranges without the parameters that the request states.
-    pub fn usual(ranges: Vec<Vary>, request: &Request, started: Setup<f64>) -> Self {
+    fn usual(ranges: Vec<Vary>, request: &Request, started: Setup<f64>) -> Self {
         let (held, vary): (Vec<_>, Vec<_>) = ranges
             .into_iter()
             .partition(|range| request.states(range.parameter.name));
@@ -145,25 +153,21 @@ impl SearchRanges {
     }
 
     /// The ranges of a search over swings: those of `--vary` (`given`); without this option, the
-    /// [loft](Self::loft). `setup` has the means of the swings.
+    /// default ranges `usual` of the command. `setup` has the means of the swings.
     ///
     /// # Errors
-    /// The errors of [`Request::with_starts`], [`Vary::read`] and [`Search::longest_drive`].
-    pub fn over_swings(given: &[String], request: &Request, setup: Setup<f64>) -> Result<Self> {
+    /// The errors of [`Request::with_starts`], [`Vary::read`] and `usual`.
+    pub fn over_swings(
+        given: &[String],
+        request: &Request,
+        setup: Setup<f64>,
+        usual: impl Fn(&Setup<f64>) -> Result<Vec<Vary>>,
+    ) -> Result<Self> {
         let started = request.with_starts(setup, given, None)?;
         if !given.is_empty() {
             return Self::stated(given, started);
         }
-        Self::loft(request, started)
-    }
-
-    /// The loft alone: in a search over swings the attack angle varies from swing to swing.
-    ///
-    /// # Errors
-    /// The errors of [`Search::longest_drive`].
-    fn loft(request: &Request, started: Setup<f64>) -> Result<Self> {
-        let loft = Search::longest_drive(&started)?.vary[0];
-        Ok(Self::usual(vec![loft], request, started))
+        Ok(Self::usual(usual(&started)?, request, started))
     }
 
     /// The parameters that the search does not vary, because the request states them.

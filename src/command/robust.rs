@@ -5,7 +5,7 @@ use crate::command::files::OutputRule;
 use crate::command::interrupt;
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, note_detail, spinner, system, warn};
-use crate::command::ranges::SearchRanges;
+use crate::command::ranges::{SearchRanges, loft};
 use crate::command::request::{Request, replaced, warn_of_idle};
 use crate::command::search::allowed_loss;
 use crate::command::swings::{search_over_swings, swing_ranges};
@@ -144,7 +144,7 @@ impl Args {
     fn search(&self, request: &Request) -> Result<(Setup<f64>, Search)> {
         if self.swings.is_given() {
             let over = self.swings.request(request, false)?;
-            let ranges = SearchRanges::over_swings(&self.search.vary, request, over.setup)?;
+            let ranges = SearchRanges::over_swings(&self.search.vary, request, over.setup, loft)?;
             let search = search_over_swings(
                 &self.search,
                 &self.swings,

@@ -4,7 +4,7 @@ use crate::command::args::{OptimizeArgs, OptimumArgs, SearchArgs, SwingsArgs, st
 use crate::command::interrupt::{self, BEST_SO_FAR, InterruptibleWork};
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, note_each, system, warn};
-use crate::command::ranges::SearchRanges;
+use crate::command::ranges::{SearchRanges, loft};
 use crate::command::request::Request;
 use crate::command::search::{options, write};
 use crate::parameters::Vary;
@@ -242,7 +242,7 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     } = &args.optimum;
     let request = setup_args.request()?;
     let over = args.swings.request(&request, true)?;
-    let ranges = SearchRanges::over_swings(&search.vary, &request, over.setup)?;
+    let ranges = SearchRanges::over_swings(&search.vary, &request, over.setup, loft)?;
     let search = search_over_swings(
         search,
         &args.swings,
