@@ -4,7 +4,7 @@ use crate::command::output::{
     Answer, is_json, note, note_detail, note_error, once_a_second, spinner, stated_system, system,
     warn,
 };
-use crate::command::search::DriveSearch;
+use crate::command::search::SearchRequest;
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
 use crate::statistics::extent;
@@ -49,13 +49,13 @@ pub fn run(args: &Args) -> Result<Answer> {
     let (along, at) = args.places(&request.partial_setup)?;
     request.refuse_stated_besides_launch(&[along.parameter], "`along` gives its values")?;
     let drive_search = args.search.of_drive(&request, Some(along), None)?;
-    let DriveSearch { setup, search, .. } = &drive_search;
+    let SearchRequest { setup, search, .. } = &drive_search;
     request.warn_of_ranges(setup, &[along]);
     let work = interrupt::enable(BEST_SO_FAR);
     if !at.is_sorted_by(|a, b| a < b) {
         note("the values of `at` are used in ascending order, each once");
     }
-    let origin = drive_search.origin(&request);
+    let origin = &drive_search.origin;
     let chart = follow(setup, search, along, &at, &work.stop);
     let is_interrupted = work.stop.load(Ordering::Relaxed);
     drop(work);
@@ -71,7 +71,7 @@ pub fn run(args: &Args) -> Result<Answer> {
             };
             let answer = if is_json() {
                 let report = ChartReport::new(&none, search);
-                Answer::report(&report, &origin)
+                Answer::report(&report, origin)
             } else {
                 Answer::text(String::new())
             };
@@ -87,7 +87,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         }
         Answer::text(report.csv(stated_system().into())?)
     } else {
-        Answer::report(&report, &origin)
+        Answer::report(&report, origin)
     };
     Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
 }

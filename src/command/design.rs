@@ -68,7 +68,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     let over = swings_or_golfer(swings_args, &request)?;
     let given = &optimum.search.vary;
     let ranges = SearchRanges::over_swings(given, &request, over.setup, usual_vary)?;
-    let held = ranges.held();
+    let origin = ranges.origin(&request);
+    let origin = origin.with_stated(&swings_args.end_of_title());
     let requested = search_over_swings(
         &optimum.search,
         swings_args,
@@ -93,10 +94,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     } else {
         vec![]
     };
-    let origin = request
-        .origin_of_search(&design.search.vary)
-        .with_held(&held, &found.setup)
-        .with_stated(&swings_args.end_of_title());
     let designed = DesignReport::new(found.report(), &design, &found.setup, improvements, notes);
     let answer = Answer::report(&designed, &origin);
     Ok(answer.found(found.optima.is_found()))

@@ -34,6 +34,6 @@ pub fn run(args: &Args) -> Result<Answer> {
         club_alone: club.as_ref(),
     });
     let report = OptimizeReport::new(&optima, None, around, written);
-    let answer = Answer::report(&report, &drive_search.origin(&request));
+    let answer = Answer::report(&report, &drive_search.origin);
     Ok(answer.found(optima.is_found()))
 }

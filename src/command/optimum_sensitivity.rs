@@ -1,7 +1,7 @@
 use crate::command::args::OptimumArgs;
 use crate::command::names::variables;
 use crate::command::output::{Answer, note, note_error, spinner, warn, with_bar};
-use crate::command::search::{DriveSearch, allowed_loss, write};
+use crate::command::search::{SearchRequest, allowed_loss, write};
 use crate::parameters::{Parameter, Vary};
 use crate::report::{OptimizeReport, OptimumSensitivityReport};
 use crate::study::{
@@ -75,7 +75,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let windows = analysis.map(OptimumAnalysis::windows);
     let search = OptimizeReport::new(&optima, None, windows, written);
     let report = OptimumSensitivityReport::new(search, analysis, reason.as_ref());
-    let answer = Answer::report(&report, &drive_search.origin(&request));
+    let answer = Answer::report(&report, &drive_search.origin);
     Ok(answer.found(analysis.is_some_and(OptimumAnalysis::is_answered)))
 }
 
@@ -88,7 +88,7 @@ struct AnalysisRequest {
 }
 
 impl AnalysisRequest {
-    fn new(args: &Args, drive_search: &DriveSearch) -> Result<Self> {
+    fn new(args: &Args, drive_search: &SearchRequest) -> Result<Self> {
         let search = &drive_search.search;
         // with start values, a varied parameter in `wrt` is refused because it is varied, and not
         // because it has no value

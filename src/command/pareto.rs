@@ -9,7 +9,7 @@ use crate::command::picture::{PictureArgs, PlotDestination};
 use crate::command::ranges::{SearchRanges, loft};
 use crate::command::request::Request;
 use crate::command::running::running;
-use crate::command::search::{of_a_drive, options};
+use crate::command::search::{SearchRequest, of_a_drive, options};
 use crate::command::swings::{goal, limits, swing_ranges};
 use crate::optimize::{Iteration, Observers};
 use crate::report::figures::pareto_figure;
@@ -103,7 +103,11 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let output = ParetoFile::new(args, &request)?;
-    let (setup, search) = args.goals.search(&request)?;
+    let SearchRequest {
+        setup,
+        search,
+        origin,
+    } = args.goals.search(&request)?;
     let work = interrupt::enable(POINTS_SO_FAR);
     let found = follow(&setup, search, &work.stop)?;
     let mut warnings = [setup.warnings(), found.warnings(&work.stop)].concat();
@@ -117,8 +121,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     report.lacks_file = output.is_some() && written.is_none();
     report.file = written;
     let is_whole = report.ending().status == "done";
-    let GoalArgs { vary, swings, .. } = &args.goals;
-    let origin = request.origin_with_held(vary, &found.search.vary, &setup, swings)?;
     let answer = Answer::report(&report, &origin);
     Ok(answer.found(is_whole))
 }
@@ -128,8 +130,11 @@ pub fn draw(setup_args: &SetupArgs, args: &GoalArgs, drawing: &PictureArgs) -> R
     let request = setup_args.request()?;
     let inputs = request.inputs().chain(args.swings.inputs());
     let target = PlotDestination::new(inputs, drawing)?;
-    let (setup, search) = args.search(&request)?;
-    let origin = request.origin_with_held(&args.vary, &search.vary, &setup, &args.swings)?;
+    let SearchRequest {
+        setup,
+        search,
+        origin,
+    } = args.search(&request)?;
     let target = target.about(origin);
     let work = interrupt::enable(POINTS_SO_FAR);
     let found = follow(&setup, search, &work.stop)?;
@@ -171,10 +176,11 @@ fn follow(setup: &Setup<f64>, search: ParetoSearch, stop: &Arc<AtomicBool>) -> R
     found
 }
 
-/// The setup, and the search for the front of two goals over many swings.
-fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
+/// The search for the front of two goals over many swings.
+fn over_swings(request: &Request, args: &GoalArgs) -> Result<SearchRequest<ParetoSearch>> {
     let over = args.swings.request(request, false)?;
     let ranges = SearchRanges::over_swings(&args.vary, request, over.setup, loft)?;
+    let origin = ranges.origin(request);
     let strokes = args.swings.strokes()?;
     let strokes = strokes.as_ref();
     let goals = args.goals(|option, text| goal(option, text, strokes))?;
@@ -191,12 +197,17 @@ fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Pareto
     search.scenarios =
         args.swings
             .scenarios(&over.swings, search.all_goals(), over.is_resampled)?;
-    Ok((over.setup, search))
+    Ok(SearchRequest {
+        setup: over.setup,
+        search,
+        origin: origin.with_stated(&args.swings.end_of_title()),
+    })
 }
 
-/// The setup, and the search for the front of two goals of one drive.
-fn of_one_drive(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
+/// The search for the front of two goals of one drive.
+fn of_one_drive(request: &Request, args: &GoalArgs) -> Result<SearchRequest<ParetoSearch>> {
     let ranges = SearchRanges::of_drive(&args.vary, request, None)?;
+    let origin = ranges.origin(request);
     let goals = args.goals(|option, text| Ok(of_a_drive(option, text)?.into()))?;
     let subject_to = args.subject_to.iter().map(|text| Constraint::read(text));
     let search = ParetoSearch {
@@ -207,23 +218,29 @@ fn of_one_drive(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Paret
         points: args.points,
         options: options(args.max_iterations),
     };
-    Ok((request.partial_setup, search))
+    Ok(SearchRequest {
+        setup: request.partial_setup,
+        search,
+        origin,
+    })
 }
 
 impl GoalArgs {
-    /// The setup, with method and step for the drives of the front, and the search for the front.
-    fn search(&self, request: &Request) -> Result<(Setup<f64>, ParetoSearch)> {
+    /// The search for the front, with method and step for its drives.
+    fn search(&self, request: &Request) -> Result<SearchRequest<ParetoSearch>> {
         self.swings.refuse_stray()?;
-        let (setup, search) = if self.swings.is_given() {
+        let mut requested = if self.swings.is_given() {
             over_swings(request, self)?
         } else {
             of_one_drive(request, self)?
         };
+        let search = &requested.search;
         let outcomes: Vec<Outcome> = search.all_goals().flat_map(Goal::outcomes).collect();
         note_the_run(&outcomes);
-        request.note_starts(&setup, &search.vary);
+        request.note_starts(&requested.setup, &search.vary);
         let ranges = swing_ranges(&search.vary, &search.scenarios);
-        Ok((request.for_many(setup, &ranges)?, search))
+        requested.setup = request.for_many(requested.setup, &ranges)?;
+        Ok(requested)
     }
 
     /// The two objectives, parsed by `read`.

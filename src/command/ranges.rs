@@ -1,36 +1,10 @@
 //! The ranges of a search: those of `--vary`, or the default ranges of a command.
 
-use crate::command::args::SwingsArgs;
 use crate::command::request::Request;
-use crate::parameters::{Parameter, Vary};
+use crate::parameters::Vary;
 use crate::report::{SetupOrigin, setting_text};
 use crate::study::Search;
 use crate::{Error, Result, Setup};
-
-impl Request {
-    /// The description of the setup for the first lines of the answer of a search over swings or
-    /// one drive. Its field `held` has the parameters of the default ranges that the search does
-    /// not vary, because the request states them. `vary` are the ranges of the search, `given` the
-    /// texts of `--vary`.
-    ///
-    /// # Errors
-    /// The errors of [`Search::longest_drive`].
-    pub fn origin_with_held(
-        &self,
-        given: &[String],
-        vary: &[Vary],
-        setup: &Setup<f64>,
-        swings: &SwingsArgs,
-    ) -> Result<SetupOrigin> {
-        // by default, a search over swings varies the loft, and is refused if the request states it
-        let held = match given.is_empty() && !swings.is_given() {
-            true => SearchRanges::longest_drive(self, *setup)?.held(),
-            false => vec![],
-        };
-        let origin = self.origin_of_search(vary).with_held(&held, setup);
-        Ok(origin.with_stated(&swings.end_of_title()))
-    }
-}
 
 /// The texts of ranges as arguments: `vary club.loft=4deg..20deg`.
 fn as_arguments(ranges: impl IntoIterator<Item = String>) -> String {
@@ -170,9 +144,13 @@ impl SearchRanges {
         Ok(Self::usual(usual(&started)?, request, started))
     }
 
-    /// The parameters that the search does not vary, because the request states them.
-    pub fn held(&self) -> Vec<&'static Parameter> {
-        self.held.iter().map(|range| range.parameter).collect()
+    /// The description of the setup for the first lines of the answer of a search over these
+    /// ranges. Its field `held` has the parameters of the default ranges that the search does not
+    /// vary, because the request states them.
+    pub fn origin(&self, request: &Request) -> SetupOrigin {
+        let held: Vec<_> = self.held.iter().map(|range| range.parameter).collect();
+        let origin = request.origin_of_search(&self.vary);
+        origin.with_held(&held, &self.started)
     }
 
     /// The reason why there is no range to vary, with examples of ranges; `None` if there is a

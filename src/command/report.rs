@@ -10,7 +10,7 @@ use crate::command::output::{
 use crate::command::plot::{counted_points, limits};
 use crate::command::request::Request;
 use crate::command::running::running;
-use crate::command::search::{DriveSearch, of_a_drive};
+use crate::command::search::{SearchRequest, of_a_drive};
 use crate::command::wording::in_host_syntax;
 use crate::derivative::default_variables;
 use crate::flight::Flight;
@@ -77,7 +77,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let folder = OutputRule::new(request.inputs(), args.overwrite).folder(&args.output, &names)?;
 
     let origin = match &inputs.drive_search {
-        Some(drive_search) => drive_search.origin(&request),
+        Some(drive_search) => drive_search.origin.clone(),
         None => request.origin(),
     };
     let bar = bar("parts");
@@ -125,7 +125,7 @@ struct ReportRequest {
     setup: Setup<f64>,
     /// The outcome that the report is about.
     of: Outcome,
-    drive_search: Option<DriveSearch>,
+    drive_search: Option<SearchRequest>,
     /// The reason why there is no search.
     reason: Option<String>,
     /// The parameter along which the chart runs. `None` if there is no chart: there is no search,

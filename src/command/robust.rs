@@ -7,7 +7,7 @@ use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, note_detail, spinner, system, warn};
 use crate::command::ranges::{SearchRanges, loft};
 use crate::command::request::{Request, replaced, warn_of_idle};
-use crate::command::search::allowed_loss;
+use crate::command::search::{SearchRequest, allowed_loss};
 use crate::command::swings::{search_over_swings, swing_ranges};
 use crate::optimize::Observers;
 use crate::report::{RobustReport, robust_setup};
@@ -64,7 +64,11 @@ pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let rule = OutputRule::new(request.inputs().chain(args.swings.inputs()), args.overwrite);
     let output = rule.setup_file(args.output.as_deref())?;
-    let (setup, search) = args.search(&request)?;
+    let SearchRequest {
+        setup,
+        search,
+        origin,
+    } = args.search(&request)?;
     let within = args.within(&search.of)?;
     let ranges = swing_ranges(&search.vary, &search.scenarios);
     let mut models = args.models(&setup, &search)?;
@@ -103,8 +107,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(warnings);
     let mut report = RobustReport::new(&found, within);
     report.file = written;
-    let origin =
-        request.origin_with_held(&args.search.vary, &found.search.vary, &setup, &args.swings)?;
     let answer = Answer::report(&report, &origin);
     Ok(answer.found(is_found))
 }
@@ -140,11 +142,12 @@ fn note_models(models: &[Model]) {
 }
 
 impl Args {
-    /// The setup, and the search with its objective and swings.
-    fn search(&self, request: &Request) -> Result<(Setup<f64>, Search)> {
+    /// The search with its objective and swings.
+    fn search(&self, request: &Request) -> Result<SearchRequest> {
         if self.swings.is_given() {
             let over = self.swings.request(request, false)?;
             let ranges = SearchRanges::over_swings(&self.search.vary, request, over.setup, loft)?;
+            let origin = ranges.origin(request);
             let search = search_over_swings(
                 &self.search,
                 &self.swings,
@@ -154,11 +157,19 @@ impl Args {
             )?;
             note_the_run(&search.outcomes());
             request.note_starts(&over.setup, &search.vary);
-            return Ok((over.setup, search));
+            return Ok(SearchRequest {
+                setup: over.setup,
+                search,
+                origin: origin.with_stated(&self.swings.end_of_title()),
+            });
         }
         let ranges = SearchRanges::of_drive(&self.search.vary, request, None)?;
-        let search = self.search.search(request, ranges)?;
-        Ok((request.partial_setup, search))
+        let origin = ranges.origin(request);
+        Ok(SearchRequest {
+            setup: request.partial_setup,
+            search: self.search.search(request, ranges)?,
+            origin,
+        })
     }
 
     /// The model of the setup, and the alternative models.

@@ -11,7 +11,7 @@ use crate::command::request::Request;
 use crate::command::running::running;
 use crate::lock::lock;
 use crate::optimize::{Checkpoint, Iteration, Observer, Observers, Options};
-use crate::parameters::{Parameter, Vary};
+use crate::parameters::Vary;
 use crate::report::{SetupOrigin, goal_text, iteration_line, optimum_setup};
 use crate::study::swings::{Scenarios, Swings};
 use crate::study::{
@@ -23,24 +23,16 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
 
-/// The search for the optimum of one drive, as a request states it.
-pub struct DriveSearch {
-    /// The setup of the request, with method and step for the drives of the search. It is the drive
-    /// as set up: a varied parameter may have no value.
+/// A search as a request states it.
+pub struct SearchRequest<S = Search> {
+    /// The setup of the request. It is the drive as set up: a varied parameter may have no value.
     pub setup: Setup<f64>,
-    pub search: Search,
-    /// The parameters of the default ranges that the search does not vary, because the request
-    /// states them.
-    held: Vec<&'static Parameter>,
+    pub search: S,
+    /// The description of the setup for the first lines of the answer.
+    pub origin: SetupOrigin,
 }
 
-impl DriveSearch {
-    /// The description of the setup for the first lines of the answer.
-    pub fn origin(&self, request: &Request) -> SetupOrigin {
-        let origin = request.origin_of_search(&self.search.vary);
-        origin.with_held(&self.held, &self.setup)
-    }
-
+impl SearchRequest {
     /// The optimum from one start, or from the optimum of the club alone if that is better. Shows
     /// no progress and cannot be interrupted.
     ///
@@ -54,11 +46,11 @@ impl DriveSearch {
 }
 
 impl SearchArgs {
-    /// The search for the optimum of one drive. By default it varies loft and attack angle, except
-    /// for a parameter that the request states. With the parameter `along` of a chart and its
-    /// range, the search does not vary this parameter by default, and the setup has method and step
-    /// for the whole range. `instead` is advice on the drive as stated, for the refusal of a search
-    /// with nothing to vary.
+    /// The search for the optimum of one drive, with method and step for its drives. By default it
+    /// varies loft and attack angle, except for a parameter that the request states. With the
+    /// parameter `along` of a chart and its range, the search does not vary this parameter by
+    /// default, and the setup has method and step for the whole range. `instead` is advice on the
+    /// drive as stated, for the refusal of a search with nothing to vary.
     ///
     /// # Errors
     /// [`Error::Unreadable`] if there is nothing to vary; the errors of [`SearchRanges::of_drive`],
@@ -68,19 +60,19 @@ impl SearchArgs {
         request: &Request,
         along: Option<Vary>,
         instead: Option<&str>,
-    ) -> Result<DriveSearch> {
+    ) -> Result<SearchRequest> {
         let ranges = SearchRanges::of_drive(&self.vary, request, along)?;
         if let (Some(reason), Some(instead)) = (ranges.reason(), instead) {
             let source = format!("{reason}; {instead}");
             return Err(Error::unreadable("the search", source));
         }
-        let held = ranges.held();
+        let origin = ranges.origin(request);
         let search = self.search(request, ranges)?;
         let ranges: Vec<_> = search.vary.iter().copied().chain(along).collect();
-        Ok(DriveSearch {
+        Ok(SearchRequest {
             setup: request.for_many(request.partial_setup, &ranges)?,
             search,
-            held,
+            origin,
         })
     }
 
@@ -157,7 +149,7 @@ impl SearchArgs {
 
 impl OptimumArgs {
     /// Runs the search, which Ctrl-C interrupts.
-    pub fn optima(&self, drive_search: &DriveSearch) -> Result<Optima> {
+    pub fn optima(&self, drive_search: &SearchRequest) -> Result<Optima> {
         let work = interrupt::enable(BEST_SO_FAR);
         self.optima_until(&drive_search.setup, &drive_search.search, &work.stop)
     }

@@ -53,8 +53,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         let best = drive_search.optimum()?;
         best.check_converged()?;
         note(&best.message().in_units(system()));
-        let origin = drive_search.origin(&request);
-        return answer(args, &of, &best.setup, Some(&best), &origin);
+        return answer(args, &of, &best.setup, Some(&best), &drive_search.origin);
     }
     let setup = request.setup_within_tolerance()?;
     if let Some(option) = args.search.stated().next() {

@@ -243,6 +243,8 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     let request = setup_args.request()?;
     let over = args.swings.request(&request, true)?;
     let ranges = SearchRanges::over_swings(&search.vary, &request, over.setup, loft)?;
+    let origin = ranges.origin(&request);
+    let origin = origin.with_stated(&args.swings.end_of_title());
     let search = search_over_swings(
         search,
         &args.swings,
@@ -252,11 +254,6 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     )?;
     request.note_starts(&over.setup, &search.vary);
     let found = optimize_and_write(args, &request, over.setup, over.swings, search)?;
-    // `held` is empty: the default search varies only the loft, and is refused if the request
-    // states the loft
-    let origin = request
-        .origin_of_search(&found.optima.best.search.vary)
-        .with_stated(&args.swings.end_of_title());
     let answer = Answer::report(&found.report(), &origin);
     Ok(answer.found(found.optima.is_found()))
 }

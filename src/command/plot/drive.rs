@@ -6,7 +6,7 @@ use crate::command::names::sigmas;
 use crate::command::output::{Answer, note, spinner, system, warn};
 use crate::command::picture::{PictureArgs, PlotDestination};
 use crate::command::request::{Request, Source};
-use crate::command::search::DriveSearch;
+use crate::command::search::SearchRequest;
 use crate::report::figures::{face_figure, fairway_figure, launches_figure, strikes_figure};
 use crate::report::plot::Figure;
 use crate::report::{Ending, computed_text, with_constraints};
@@ -224,11 +224,10 @@ pub fn warnings(setup: &Setup<f64>, best: Option<&Optimum>, shown: &[Outcome]) -
 /// is no optimum, also sets the ending of `target` to the status of the search.
 pub fn drawn_optimum(
     target: &mut PlotDestination<'_>,
-    request: &Request,
-    drive_search: &DriveSearch,
+    drive_search: &SearchRequest,
     args: &SearchArgs,
 ) -> Result<Option<Optimum>> {
-    target.origin = drive_search.origin(request);
+    target.origin = drive_search.origin.clone();
     let best = drive_search.optimum()?;
     if best.is_converged() {
         return Ok(Some(best));
@@ -262,6 +261,6 @@ fn setup_and_optimum(
     let drive_search = args.of_drive(request, None, None)?;
     // before the search, refuse a drive that does not land: the plot needs its landing
     Drive::new(&drive_search.setup)?.landed()?;
-    let best = drawn_optimum(target, request, &drive_search, args)?;
+    let best = drawn_optimum(target, &drive_search, args)?;
     Ok((drive_search.setup, best))
 }

@@ -16,7 +16,7 @@ use crate::command::pareto;
 use crate::command::picture::{PictureArgs, PlotDestination};
 use crate::command::ranges::SearchRanges;
 use crate::command::request::Request;
-use crate::command::search::DriveSearch;
+use crate::command::search::SearchRequest;
 use crate::command::verify::note_missing_outcomes;
 use crate::optimize::Observer;
 use crate::parameters::{Law, Parameter};
@@ -96,7 +96,7 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let mut target = PlotDestination::new(request.inputs(), &args.drawing)?;
     let drive_search = args.search.of_drive(&request, None, None)?;
-    let DriveSearch { setup, search, .. } = &drive_search;
+    let SearchRequest { setup, search, .. } = &drive_search;
     let spinner = spinner("computing the map");
     let [across, up, ..] = search.vary[..] else {
         let examples = SearchRanges::of_map(setup)?;
@@ -107,7 +107,7 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
             ),
         });
     };
-    let best = drawn_optimum(&mut target, &request, &drive_search, &args.search)?;
+    let best = drawn_optimum(&mut target, &drive_search, &args.search)?;
     let best = best.as_ref();
     let around = match best {
         Some(best) => best.setup,
@@ -169,7 +169,7 @@ fn optima_along(plot: &PlotSearch, along: &str, show: Option<&str>) -> Result<An
     let along = Vary::read_column(&request.partial_setup, along)?;
     request.refuse_stated_besides_launch(&[along.parameter], "`along` gives its values")?;
     let drive_search = plot.search.of_drive(&request, Some(along), None)?;
-    let DriveSearch { setup, search, .. } = &drive_search;
+    let SearchRequest { setup, search, .. } = &drive_search;
     let shown = shown_curve(show, search)?;
     let bar = bar("optima");
     let chart = chart(setup, search, along, &[], &counted_points(&bar));
@@ -189,7 +189,7 @@ fn optima_along(plot: &PlotSearch, along: &str, show: Option<&str>) -> Result<An
     let figures = chart_figures(&chart, setup_as_stated, preset, own.as_ref(), system());
     let figure = figure_of(&figures, search, shown, &target)?;
     let warnings = [setup.drive_warnings(&[]), chart.warnings()].concat();
-    let target = target.about(drive_search.origin(&request));
+    let target = target.about(drive_search.origin);
     target.write(figure, warnings)
 }
 
