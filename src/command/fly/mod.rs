@@ -66,8 +66,9 @@ fn fly(args: &Args) -> Result<Answer> {
     };
     let maker = shots.maker();
     let mut output = destination.begin()?;
-    let mut closing = vec![];
-    let tally = write_rows(&mut output, format, &flying, &mut shots, &run, &mut closing)?;
+    let FlownRows { tally, remark } = write_rows(&mut output, format, &flying, &mut shots, &run)?;
+    let mut closing = shots.final_remarks();
+    closing.extend(remark);
     closing.extend(of_further_clubs(&tally));
     note_each(file.display(), &closing);
     remarks.extend(closing);
@@ -186,16 +187,21 @@ fn of_further_clubs(tally: &ShotStatistics) -> Option<Message> {
     })
 }
 
-/// Flies the shots and writes the rows. The caller finishes the output. Adds to `remarks` the final
-/// remarks about the shots, and a remark about values that the format cannot store.
+/// The result of [`write_rows`].
+struct FlownRows {
+    tally: ShotStatistics,
+    /// A remark about values that the format cannot store.
+    remark: Option<Message>,
+}
+
+/// Flies the shots and writes the rows. The caller finishes the output.
 fn write_rows(
     output: &mut OutputStream,
     format: FlyFormat,
     flying: &Flying,
     shots: &mut Shots,
     run: &Run<'_>,
-    remarks: &mut Vec<Message>,
-) -> Result<ShotStatistics> {
+) -> Result<FlownRows> {
     let of = flying.outcomes();
     let writer = match format {
         FlyFormat::Csv => ShotWriter::csv(shots, of, system()),
@@ -214,9 +220,8 @@ fn write_rows(
                 |flown| output.write(&writer.push(flown)?),
             )?;
             output.write(&writer.finish()?)?;
-            remarks.extend(shots.final_remarks());
-            remarks.extend(writer.remark(shots));
-            return Ok(tally);
+            let remark = writer.remark(shots);
+            return Ok(FlownRows { tally, remark });
         }
     };
     output.write(&writer.head())?;
@@ -226,9 +231,8 @@ fn write_rows(
         |flown| writer.rows(&flown),
         |bytes| output.write(&bytes),
     )?;
-    remarks.extend(shots.final_remarks());
-    remarks.extend(writer.remark(shots));
-    Ok(tally)
+    let remark = writer.remark(shots);
+    Ok(FlownRows { tally, remark })
 }
 
 /// The note about an interruption: the number of rows before it, and the state of the file.
