@@ -20,18 +20,15 @@ pub fn document_files(documents: &InBoth<Document>, system: System) -> Result<Ve
         name: "index.html".into(),
         text: page(title, &header, &content(documents, false)?, None, system),
     }];
-    files.extend(picture_files(&figures(documents), system)?);
+    let figures: Vec<_> = blocks(documents).iter().filter_map(figure).collect();
+    files.extend(picture_files(&figures, system)?);
     Ok(files)
 }
 
-fn figures(documents: &InBoth<Document>) -> Vec<InBoth<Figure>> {
-    let figures = documents.metric.figures().zip(documents.us.figures());
-    figures
-        .map(|(metric, us)| InBoth {
-            metric: metric.clone(),
-            us: us.clone(),
-        })
-        .collect()
+/// The blocks of a document, each in both systems of units.
+fn blocks(documents: &InBoth<Document>) -> Vec<InBoth<&DocumentBlock>> {
+    let blocks = documents.metric.blocks().zip(documents.us.blocks());
+    blocks.map(|(metric, us)| InBoth { metric, us }).collect()
 }
 
 /// The blocks of a document. With `is_stacked`, a narrow page shows each cell of a table on a line
@@ -41,39 +38,39 @@ fn figures(documents: &InBoth<Document>) -> Vec<InBoth<Figure>> {
 /// The errors of [`figure_svg`](crate::report::plot::figure_svg). [`Error::Output`] if the kinds of
 /// a block differ between the systems of units, which no report causes.
 pub(in crate::report) fn content(documents: &InBoth<Document>, is_stacked: bool) -> Result<Markup> {
-    let plots = figures(documents);
     let mut parts = Parts {
-        plots: &plots,
         labels: vec![],
         about: documents.us.title.clone(),
         is_stacked,
     };
-    let blocks = documents.metric.blocks().zip(documents.us.blocks());
-    let blocks: Vec<_> = blocks.map(|(metric, us)| InBoth { metric, us }).collect();
     // put consecutive figures side by side
-    let all = blocks
-        .chunk_by(|a, b| is_figure(a) && is_figure(b))
+    let all = blocks(documents)
+        .chunk_by(|a, b| figure(a).is_some() && figure(b).is_some())
         .map(|blocks| parts.part(blocks))
         .collect::<Result<Vec<_>>>()?;
     Ok(html! { @for part in all { (part) "\n" } })
 }
 
-/// True if a block is a figure in both systems of units.
-fn is_figure(block: &InBoth<&DocumentBlock>) -> bool {
-    block.metric.is_figure() && block.us.is_figure()
+/// The figure of a block; `None` unless the block is a figure in both systems of units.
+fn figure<'a>(block: &InBoth<&'a DocumentBlock>) -> Option<InBoth<&'a Figure>> {
+    match (block.metric, block.us) {
+        (DocumentBlock::Figure(metric), DocumentBlock::Figure(us)) => Some(InBoth {
+            metric: metric.as_ref(),
+            us: us.as_ref(),
+        }),
+        _ => None,
+    }
 }
 
 /// Converts the blocks of a page in order. `about` is the label of the next table: the title of the
 /// page, or the last heading, caption or short paragraph.
-struct Parts<'a> {
-    /// The figures that are not converted yet.
-    plots: &'a [InBoth<Figure>],
+struct Parts {
     labels: Vec<String>,
     about: String,
     is_stacked: bool,
 }
 
-impl Parts<'_> {
+impl Parts {
     /// Converts one block or several consecutive figures.
     ///
     /// # Errors
@@ -126,14 +123,12 @@ impl Parts<'_> {
                     @for (metric, us) in metric.notes().zip(us.notes()) { p { (chosen(metric, us)) } }
                 }
             }
-            figures if figures.iter().all(is_figure) => {
-                let (now, later) = self.plots.split_at(figures.len());
-                self.plots = later;
-                pictures(now)?
-            }
-            _ => {
-                let reason = "the metric and the US document have different blocks; this is a fault of longdrive";
-                return Err(Error::Output(std::io::Error::other(reason)));
+            figures => {
+                let Some(figures) = figures.iter().map(figure).collect::<Option<Vec<_>>>() else {
+                    let reason = "the metric and the US document have different blocks; this is a fault of longdrive";
+                    return Err(Error::Output(std::io::Error::other(reason)));
+                };
+                pictures(&figures)?
             }
         })
     }

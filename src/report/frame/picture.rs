@@ -6,6 +6,7 @@ use crate::report::in_both::InBoth;
 use crate::report::plot::{Figure, Look, figure_csv, figure_svg};
 use crate::units::{System, TableUnits};
 use maud::{Markup, PreEscaped, html};
+use std::borrow::Borrow;
 
 /// A file of a page.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,14 +36,14 @@ pub(in crate::report) fn csv_name(figure: &Figure) -> String {
 ///
 /// # Errors
 /// The errors of [`figure_svg`] and [`figure_csv`].
-pub(in crate::report) fn picture_files<'a>(
-    plots: impl IntoIterator<Item = &'a InBoth<Figure>>,
+pub(in crate::report) fn picture_files<'a, F: Borrow<Figure> + 'a>(
+    plots: impl IntoIterator<Item = &'a InBoth<F>>,
     data_of: System,
 ) -> Result<Vec<TextFile>> {
     let mut files = vec![];
     for plot in plots {
         for system in System::ALL {
-            let figure = plot.get(system);
+            let figure = plot.get(system).borrow();
             files.push(TextFile {
                 name: svg_name(figure),
                 text: figure_svg(figure, &Look::default())?,
@@ -62,12 +63,17 @@ pub(in crate::report) fn picture_files<'a>(
 ///
 /// # Errors
 /// The errors of [`figure_svg`].
-pub(in crate::report) fn pictures<'a>(
-    plots: impl IntoIterator<Item = &'a InBoth<Figure>>,
+pub(in crate::report) fn pictures<'a, F: Borrow<Figure> + 'a>(
+    plots: impl IntoIterator<Item = &'a InBoth<F>>,
 ) -> Result<Markup> {
     let drawn = plots
         .into_iter()
-        .map(|plot| Ok((plot, drawings(plot)?)))
+        .map(|plot| {
+            let (metric, us) = (plot.metric.borrow(), plot.us.borrow());
+            let plot = InBoth { metric, us };
+            let drawings = drawings(&plot)?;
+            Ok((plot, drawings))
+        })
         .collect::<Result<Vec<_>>>()?;
     Ok(html! {
         @if !drawn.is_empty() {
@@ -90,17 +96,14 @@ pub(in crate::report) fn pictures<'a>(
 
 /// The pictures of a plot as pairs of CSS classes and SVG. If the metric and the US picture are
 /// equal, only one of them is returned.
-fn drawings(plot: &InBoth<Figure>) -> Result<Vec<(String, String)>> {
+fn drawings(plot: &InBoth<&Figure>) -> Result<Vec<(String, String)>> {
     let mut drawings = vec![];
     for (place, width) in WIDTHS {
         let look = Look {
             width,
             ..Look::default()
         };
-        let (metric, us) = (
-            figure_svg(&plot.metric, &look)?,
-            figure_svg(&plot.us, &look)?,
-        );
+        let (metric, us) = (figure_svg(plot.metric, &look)?, figure_svg(plot.us, &look)?);
         if metric == us {
             drawings.push((place.into(), us));
         } else {
