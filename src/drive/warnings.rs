@@ -112,10 +112,7 @@ impl Drive<f64> {
         let mut finer = *setup;
         finer.flight.step *= 0.5;
         finer.flight.check_steps().ok()?;
-        let outputs = RequestedOutputs {
-            run: false,
-            ..RequestedOutputs::all(Some(stop))
-        };
+        let outputs = RequestedOutputs::without_run(stop);
         let again = Inputs::new(&finer, &self.launch).fly(outputs, None);
         let Ok(Flight::Landed(there)) = again else {
             return None;

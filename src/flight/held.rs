@@ -117,10 +117,7 @@ pub(crate) fn stays_within(
         })
     };
     let mut stays = true;
-    let outputs = RequestedOutputs {
-        run: false,
-        ..RequestedOutputs::all(Some(stop))
-    };
+    let outputs = RequestedOutputs::without_run(stop);
     let flight = inputs.fly(
         outputs,
         Some(&mut |_, step| stays &= holds(step.from) && holds(step.to)),

@@ -185,6 +185,14 @@ impl<'s> RequestedOutputs<'s> {
         }
     }
 
+    /// All outputs of the flight, without the run.
+    pub fn without_run(stop: &'s AtomicBool) -> Self {
+        Self {
+            run: false,
+            ..Self::all(Some(stop))
+        }
+    }
+
     /// True if the flight stops after this number of steps.
     #[inline(always)]
     pub fn stops_at(&self, steps: usize) -> bool {

@@ -73,10 +73,7 @@ pub fn trajectory_until(
     let h = setup.flight.step;
     let intervals = (h / LARGEST_INTERVAL).ceil().max(1.0);
     let mut last_step = None;
-    let outputs = RequestedOutputs {
-        run: false,
-        ..RequestedOutputs::all(Some(stop))
-    };
+    let outputs = RequestedOutputs::without_run(stop);
     let flight = inputs.fly(
         outputs,
         Some(&mut |begin, step| {
