@@ -138,8 +138,7 @@ impl Report for DriveReport<'_> {
             Flight::Landed(landed) => {
                 document.add(outcomes("flight", OutcomeGroup::Flight, drive, system));
                 let run = on_the_run(landed.rest.as_ref()).in_units(system);
-                let beyond = drive.extrapolated_carry(drive_setup);
-                let beyond = beyond.map(|change| carry_with_law_held(change).in_units(system));
+                let beyond = with_law_held(drive, drive_setup, system);
                 let notes = shown::gear_effect(drive_setup).map(Line::note).into_iter();
                 let notes = notes
                     .chain(beyond.map(Line::note))
@@ -275,6 +274,17 @@ fn on_the_run(rest: Option<&Rest<f64>>) -> Message {
         _ => "run: none, the ball embeds; ",
     };
     Message::from(parts).message(total_uncertainty_note())
+}
+
+/// The change of the carry with the law held at the end of its range, in words. `None` if the
+/// flight stays in this range, or if the change is small.
+pub(super) fn with_law_held(
+    drive: &Drive<f64>,
+    setup: &Setup<f64>,
+    system: System,
+) -> Option<String> {
+    let change = drive.extrapolated_carry(setup)?;
+    Some(carry_with_law_held(change).in_units(system))
 }
 
 /// The minimum uncertainty of a total.

@@ -2,9 +2,9 @@
 //! the optimal drive.
 
 use super::super::document::Line;
-use super::super::drive::total_uncertainty;
+use super::super::drive::{total_uncertainty, with_law_held};
 use super::super::shown;
-use crate::drive::{Drive, Outcome, carry_with_law_held};
+use crate::drive::{Drive, Outcome};
 use crate::study::Optimum;
 use crate::units::System;
 
@@ -59,8 +59,7 @@ pub(in crate::report) fn gain_lines(
     let advice = is_advised.then(|| {
         Line::flush("the carry grows and the total falls: `maximize total` finds the longest total")
     });
-    let beyond = drive.extrapolated_carry(&optimum.setup);
-    let beyond = beyond.map(|change| carry_with_law_held(change).in_units(system));
+    let beyond = with_law_held(drive, &optimum.setup, system);
     [Line::flush(text)]
         .into_iter()
         .chain(no_alternative)
