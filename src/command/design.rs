@@ -6,7 +6,7 @@ use crate::command::ranges::SearchRanges;
 use crate::command::request::Request;
 use crate::command::swings::{SwingsRequest, optimize_and_write, search_over_swings};
 use crate::report::DesignReport;
-use crate::study::design::{Design, GOLFER, golfer, improvements, usual_vary};
+use crate::study::design::{Design, GOLFER, default_vary, golfer, improvements};
 use crate::study::{Goal, Search};
 use crate::{Error, Result};
 
@@ -67,7 +67,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     )?;
     let over = swings_or_golfer(swings_args, &request)?;
     let given = &optimum.search.vary;
-    let ranges = SearchRanges::over_swings(given, &request, over.setup, usual_vary)?;
+    let ranges = SearchRanges::over_swings(given, &request, over.setup, default_vary)?;
     let origin = ranges.origin(&request);
     let origin = origin.with_stated(&swings_args.end_of_title());
     let requested = search_over_swings(

@@ -4,7 +4,7 @@ use crate::Result;
 use crate::command::output::{Answer, note, warn};
 use crate::command::search::write;
 use crate::report::OptimizeReport;
-use crate::study::{OptimumWindows, usual_loss, windows};
+use crate::study::{OptimumWindows, default_loss, windows};
 use std::sync::atomic::AtomicBool;
 
 pub fn run(args: &Args) -> Result<Answer> {
@@ -26,7 +26,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(best.warnings(&AtomicBool::new(false)));
     let written = write(output.as_ref(), &request, &optima, None)?;
     let is_converged = best.is_converged();
-    let loss = usual_loss(best);
+    let loss = default_loss(best);
     let windows = is_converged.then(|| windows(best, loss)).transpose()?;
     let around = windows.as_deref().map(|windows| OptimumWindows {
         loss,

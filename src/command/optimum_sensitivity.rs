@@ -5,8 +5,8 @@ use crate::command::search::{SearchRequest, allowed_loss, write};
 use crate::parameters::{Parameter, Vary};
 use crate::report::{OptimizeReport, OptimumSensitivityReport};
 use crate::study::{
-    Change, Optimum, OptimumAnalysis, change, flatness, refuse_varied, sensitivities, short_drive,
-    usual_loss,
+    Change, Optimum, OptimumAnalysis, change, default_loss, flatness, refuse_varied, sensitivities,
+    short_drive,
 };
 use crate::{Result, Setup};
 use std::sync::atomic::AtomicBool;
@@ -130,7 +130,7 @@ fn analyse(
     if let (None, Some((_, message))) = (requested.loss, short_drive(best)) {
         note(message);
     }
-    let loss = requested.loss.unwrap_or_else(|| usual_loss(best));
+    let loss = requested.loss.unwrap_or_else(|| default_loss(best));
     let spinner = spinner("computing drives around the optimum");
     let changes = requested
         .changes

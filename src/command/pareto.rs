@@ -185,7 +185,7 @@ fn over_swings(request: &Request, args: &GoalArgs) -> Result<SearchRequest<Paret
     let strokes = strokes.as_ref();
     let goals = args.goals(|option, text| goal(option, text, strokes))?;
     let of = goals.each_ref().map(|(goal, _)| goal);
-    let subject_to = limits(&ranges.started, &args.subject_to, of, strokes)?;
+    let subject_to = limits(&ranges.initialized, &args.subject_to, of, strokes)?;
     let mut search = ParetoSearch {
         goals,
         vary: ranges.vary()?,

@@ -45,7 +45,7 @@ pub struct SearchRanges {
     /// The setup at the start of the search, in which a varied parameter without a value has a
     /// start value. Ranges and options are read with it. The study receives the setup without these
     /// values, which is the drive as set up.
-    pub started: Setup<f64>,
+    pub initialized: Setup<f64>,
     vary: Vec<Vary>,
     /// The default ranges of parameters that the request states; these are not varied.
     held: Vec<Vary>,
@@ -58,23 +58,23 @@ impl SearchRanges {
     ///
     /// # Errors
     /// The errors of [`Vary::read`].
-    fn stated(texts: &[String], started: Setup<f64>) -> Result<Self> {
+    fn stated(texts: &[String], initialized: Setup<f64>) -> Result<Self> {
         Ok(Self {
-            vary: Vary::read_all(&started, texts)?,
-            started,
+            vary: Vary::read_all(&initialized, texts)?,
+            initialized,
             held: vec![],
             examples: String::new(),
         })
     }
 
     /// Default ranges without the parameters that the request states.
-    fn usual(ranges: Vec<Vary>, request: &Request, started: Setup<f64>) -> Self {
+    fn defaults(ranges: Vec<Vary>, request: &Request, initialized: Setup<f64>) -> Self {
         let (held, vary): (Vec<_>, Vec<_>) = ranges
             .into_iter()
             .partition(|range| request.states(range.parameter.name));
         let examples = as_arguments(held.iter().map(range_text));
         Self {
-            started,
+            initialized,
             vary,
             held,
             examples,
@@ -85,17 +85,17 @@ impl SearchRanges {
     ///
     /// # Errors
     /// The errors of [`Search::longest_drive`].
-    pub fn longest_drive(request: &Request, started: Setup<f64>) -> Result<Self> {
-        if started.launch.is_given() {
+    pub fn longest_drive(request: &Request, initialized: Setup<f64>) -> Result<Self> {
+        if initialized.launch.is_given() {
             return Ok(Self {
-                started,
+                initialized,
                 vary: vec![],
                 held: vec![],
-                examples: as_arguments(launch_ranges(&started)),
+                examples: as_arguments(launch_ranges(&initialized)),
             });
         }
-        let ranges = Search::longest_drive(&started)?.vary;
-        Ok(Self::usual(ranges, request, started))
+        let ranges = Search::longest_drive(&initialized)?.vary;
+        Ok(Self::defaults(ranges, request, initialized))
     }
 
     /// The ranges of a search over one drive: those of `--vary` (`given`); without this option, the
@@ -104,14 +104,14 @@ impl SearchRanges {
     /// # Errors
     /// The errors of [`Request::with_starts`], [`Vary::read`] and [`Search::longest_drive`].
     pub fn of_drive(given: &[String], request: &Request, along: Option<Vary>) -> Result<Self> {
-        let started = request.with_starts(request.partial_setup, given, along)?;
+        let initialized = request.with_starts(request.partial_setup, given, along)?;
         if !given.is_empty() {
-            return Self::stated(given, started);
+            return Self::stated(given, initialized);
         }
-        let mut usual = Self::longest_drive(request, started)?;
+        let mut defaults = Self::longest_drive(request, initialized)?;
         let along = along.map(|along| along.parameter);
-        usual.vary.retain(|range| Some(range.parameter) != along);
-        Ok(usual)
+        defaults.vary.retain(|range| Some(range.parameter) != along);
+        Ok(defaults)
     }
 
     /// Two ranges of a map of this setup, as arguments.
@@ -127,21 +127,22 @@ impl SearchRanges {
     }
 
     /// The ranges of a search over swings: those of `--vary` (`given`); without this option, the
-    /// default ranges `usual` of the command. `setup` has the means of the swings.
+    /// ranges that `defaults` returns. `setup` has the means of the swings.
     ///
     /// # Errors
-    /// The errors of [`Request::with_starts`], [`Vary::read`] and `usual`.
+    /// The errors of [`Request::with_starts`], [`Vary::read`] and `defaults`.
     pub fn over_swings(
         given: &[String],
         request: &Request,
         setup: Setup<f64>,
-        usual: impl Fn(&Setup<f64>) -> Result<Vec<Vary>>,
+        defaults: impl Fn(&Setup<f64>) -> Result<Vec<Vary>>,
     ) -> Result<Self> {
-        let started = request.with_starts(setup, given, None)?;
+        let initialized = request.with_starts(setup, given, None)?;
         if !given.is_empty() {
-            return Self::stated(given, started);
+            return Self::stated(given, initialized);
         }
-        Ok(Self::usual(usual(&started)?, request, started))
+        let ranges = defaults(&initialized)?;
+        Ok(Self::defaults(ranges, request, initialized))
     }
 
     /// The description of the setup for the first lines of the answer of a search over these
@@ -150,7 +151,7 @@ impl SearchRanges {
     pub fn origin(&self, request: &Request) -> SetupOrigin {
         let held: Vec<_> = self.held.iter().map(|range| range.parameter).collect();
         let origin = request.origin_of_search(&self.vary);
-        origin.with_held(&held, &self.started)
+        origin.with_held(&held, &self.initialized)
     }
 
     /// The reason why there is no range to vary, with examples of ranges; `None` if there is a

@@ -21,8 +21,8 @@ use crate::reproduce::while_loop;
 use crate::study::certificate::{DerivativeRow, certify};
 use crate::study::{
     Chart, DriveRole, Face, Fineness, Landing, Launches, Map, NamedDrive, Region, Search, Sigma,
-    Vary, chart, effects, flatness, improve_from_club_alone, lofts, map, optimum, short_drive,
-    usual_loss, with_defaults,
+    Vary, chart, default_loss, effects, flatness, improve_from_club_alone, lofts, map, optimum,
+    short_drive, with_defaults,
 };
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
@@ -290,7 +290,7 @@ fn add_optimum(findings: &mut Findings, remarks: &mut Vec<Message>) -> Result<()
     let short = best.and_then(short_drive);
     remarks.extend(short.map(|(_, message)| Message::from(message)));
     let flatness = best
-        .map(|best| flatness(best, usual_loss(best)))
+        .map(|best| flatness(best, default_loss(best)))
         .transpose()?;
     let lofts = lofts(
         &findings.setup,
@@ -326,7 +326,7 @@ fn add_map(
     let region = match (best, &map) {
         (Some(best), Some(map)) => {
             let (across, up) = (map.plane.across, map.plane.up);
-            Region::around(best, across, up, usual_loss(best))?
+            Region::around(best, across, up, default_loss(best))?
         }
         _ => None,
     };
@@ -378,7 +378,7 @@ impl Args {
         if let Some(text) = &self.along {
             return Vary::read(setup, text).map(Some);
         }
-        let along = usual_speeds(setup)?;
+        let along = default_speeds(setup)?;
         let is_varied = |range: &String| {
             let name = range.split('=').next();
             name.is_some_and(|name| name.trim() == along.parameter.name)
@@ -404,20 +404,20 @@ impl Args {
 
 /// The default speed range of the chart. If the drive's speed is outside of this range, a range of
 /// equal width around the drive's speed is used, but not below half of the drive's speed.
-fn usual_speeds(setup: &Setup<f64>) -> Result<Vary> {
-    let usual = if setup.launch.is_given() {
+fn default_speeds(setup: &Setup<f64>) -> Result<Vary> {
+    let default = if setup.launch.is_given() {
         "launch.ball_speed=120mph..190mph"
     } else {
         "swing.speed=80mph..130mph"
     };
-    let usual = Vary::read(setup, usual)?;
-    let half = 0.5 * (usual.high - usual.low);
-    match setup.value(usual.parameter) {
-        Some(own) if !(usual.low..=usual.high).contains(&own) => {
-            let high = (own + half).min(usual.parameter.range.high);
-            Vary::new(usual.parameter, (own - half).max(0.5 * own), high)
+    let default = Vary::read(setup, default)?;
+    let half = 0.5 * (default.high - default.low);
+    match setup.value(default.parameter) {
+        Some(own) if !(default.low..=default.high).contains(&own) => {
+            let high = (own + half).min(default.parameter.range.high);
+            Vary::new(default.parameter, (own - half).max(0.5 * own), high)
         }
-        _ => Ok(usual),
+        _ => Ok(default),
     }
 }
 

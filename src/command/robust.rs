@@ -175,7 +175,7 @@ impl Args {
     /// The model of the setup, and the alternative models.
     fn models(&self, setup: &Setup<f64>, search: &Search) -> Result<Vec<Model>> {
         if self.model.is_empty() {
-            return Model::usual(setup);
+            return Model::defaults(setup);
         }
         let mut all = vec![Model::as_set_up(setup)];
         for text in &self.model {

@@ -53,16 +53,16 @@ impl<'a> RowsTarget<'a> {
         self.is_standard_output() || std::fs::metadata(self.0).is_ok_and(is_device)
     }
 
-    /// The format: the `stated` format, or else that of the file name extension, or `usual` for
+    /// The format: the `stated` format, or else that of the file name extension, or `default` for
     /// standard output.
     ///
     /// # Errors
     /// [`Error::Results`](crate::Error::Results) for an unknown extension, for a format that is not
     /// compiled in, and for a stream in a format that is no text.
-    pub fn format<F: RowFormat>(self, stated: Option<F>, usual: F) -> Result<F> {
+    pub fn format<F: RowFormat>(self, stated: Option<F>, default: F) -> Result<F> {
         let format = match stated {
             Some(format) => format,
-            None if self.is_standard_output() => usual,
+            None if self.is_standard_output() => default,
             None => self.format_of_extension()?,
         };
         if self.is_stream() && !format.is_text() {

@@ -78,7 +78,7 @@ impl SearchArgs {
 
     /// The search over these ranges.
     pub fn search(&self, request: &Request, ranges: SearchRanges) -> Result<Search> {
-        let started = ranges.started;
+        let initialized = ranges.initialized;
         let vary = ranges.vary()?;
         let (of, sense) = self.objective(of_a_drive, Outcome::Carry)?;
         let search = Search {
@@ -94,7 +94,7 @@ impl SearchArgs {
             options: options(self.max_iterations),
         };
         note_the_run(&search.outcomes());
-        request.note_starts(&started, &search.vary);
+        request.note_starts(&initialized, &search.vary);
         Ok(search)
     }
 
@@ -110,15 +110,15 @@ impl SearchArgs {
         Ok(SearchRanges::longest_drive(request, request.partial_setup)?.reason())
     }
 
-    /// The objective and its sense. By default, `usual` is maximized. `read` takes the name and the
-    /// value of an option, and returns the objective.
+    /// The objective and its sense. Without an option, `default` is maximized. `read` takes the name
+    /// and the value of an option, and returns the objective.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for two objectives, and the errors of `read`.
     pub fn objective<Of>(
         &self,
         read: impl Fn(&str, &str) -> Result<Of>,
-        usual: Of,
+        default: Of,
     ) -> Result<(Of, Sense)> {
         match (&self.maximize, &self.minimize) {
             (Some(most), Some(least)) => {
@@ -131,7 +131,7 @@ impl SearchArgs {
             }
             (None, Some(of)) => Ok((read("`minimize`", of)?, Sense::Minimize)),
             (Some(of), None) => Ok((read("`maximize`", of)?, Sense::Maximize)),
-            (None, None) => Ok((usual, Sense::Maximize)),
+            (None, None) => Ok((default, Sense::Maximize)),
         }
     }
 

@@ -309,21 +309,21 @@ pub fn optimize_and_write(
     })
 }
 
-/// The search over swings. By default it maximizes `usual`.
+/// The search over swings. Without an objective it maximizes `default`.
 pub fn search_over_swings(
     search: &SearchArgs,
     swings: &SwingsArgs,
     over: &SwingsRequest,
-    usual: Goal,
+    default: Goal,
     ranges: SearchRanges,
 ) -> Result<Search> {
     let strokes = swings.strokes()?;
     let strokes = strokes.as_ref();
     let read = |option: &str, text: &str| goal(option, text, strokes);
-    let (of, sense) = search.objective(read, usual)?;
-    let started = ranges.started;
+    let (of, sense) = search.objective(read, default)?;
+    let initialized = ranges.initialized;
     let vary = ranges.vary()?;
-    let subject_to = limits(&started, &search.subject_to, [&of], strokes)?;
+    let subject_to = limits(&initialized, &search.subject_to, [&of], strokes)?;
     let mut search = Search {
         of,
         sense,

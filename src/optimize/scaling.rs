@@ -104,7 +104,7 @@ pub(super) fn largest_scaled(
 pub(super) const ZERO_MULTIPLIER: f64 = 1e-9;
 
 /// Size of the objective and its slopes: the larger of |f| and the largest scaled derivative.
-pub(super) fn size_with_slopes(value: f64, gradient: &[f64], scale: &[f64]) -> f64 {
+pub(super) fn objective_size(value: f64, gradient: &[f64], scale: &[f64]) -> f64 {
     largest_scaled(gradient, scale).max(value.abs())
 }
 
@@ -119,7 +119,7 @@ impl Scaling {
     /// Scaling of a search that starts at `first`.
     pub fn new(domain: Domain, scale: Vec<f64>, first: &EvaluatedPoint) -> Self {
         let objective = &first.f.objective;
-        let initial_size = size_with_slopes(objective.value, &objective.gradient, &scale);
+        let initial_size = objective_size(objective.value, &objective.gradient, &scale);
         let gamma = |j: usize| {
             let constraint = &first.f.constraints[j];
             let change = largest_scaled(&constraint.gradient, &scale)
@@ -274,7 +274,7 @@ impl Scaling {
     pub fn floor_size(&mut self, at: &EvaluatedPoint) {
         if self.initial_size <= f64::MIN_POSITIVE {
             let objective = &at.f.objective;
-            let size = size_with_slopes(objective.value, &objective.gradient, &self.scale);
+            let size = objective_size(objective.value, &objective.gradient, &self.scale);
             self.initial_size = size.max(f64::MIN_POSITIVE);
         }
     }

@@ -5,7 +5,7 @@ use super::kink::Kink;
 use super::null_space::tangent_basis;
 use super::problem::Evaluation;
 use super::qp::SymmetricSystem;
-use super::scaling::{largest_scaled, scaled_hessian, size_with_slopes};
+use super::scaling::{largest_scaled, objective_size, scaled_hessian};
 use super::solution::Solution;
 use super::status::Status;
 use crate::error::{Error, Result};
@@ -96,7 +96,7 @@ impl ActiveSet {
 /// make the optimum look isolated along a variable without effect.
 fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
     let value = solution.value.unwrap_or_default();
-    let least = ROUNDING * size_with_slopes(value, &solution.gradient, scale);
+    let least = ROUNDING * objective_size(value, &solution.gradient, scale);
     scaled_hessian(&solution.hessian, scale).map(|curvature| {
         if curvature.abs() > least {
             curvature

@@ -2,7 +2,7 @@ use super::domain::{Bounds, Domain};
 use super::kink::Kink;
 use super::quadratic_model::unscaled_hessian;
 use super::scaling::{
-    EvaluatedPoint, KktResidual, ZERO_MULTIPLIER, largest_scaled, size_with_slopes,
+    EvaluatedPoint, KktResidual, ZERO_MULTIPLIER, largest_scaled, objective_size,
 };
 use super::sqp::SearchProgress;
 use super::state::{Effort, SearchState};
@@ -189,7 +189,7 @@ impl Solution {
 /// The largest scaled multiplier that counts as rounding.
 fn rounding_of_multipliers(search: &SearchState, scale: &[f64]) -> f64 {
     let objective = &search.point.f.objective;
-    ZERO_MULTIPLIER * size_with_slopes(objective.value, &objective.gradient, scale)
+    ZERO_MULTIPLIER * objective_size(objective.value, &objective.gradient, scale)
 }
 
 /// Sets multipliers of inequalities within rounding to 0. A nonzero multiplier would make the

@@ -257,7 +257,7 @@ impl ChoiceReport {
 
 /// The settings whose values are names. Each has a list of all possible names.
 fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
-    let usual = Setup::modern_driver();
+    let defaults = Setup::modern_driver();
     let methods = Method::ALL
         .iter()
         .map(|method| format!("{} (order {})", method.name(), method.order()));
@@ -268,14 +268,14 @@ fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
         ChoiceReport {
             choice: METHOD,
             value: setup.choice(METHOD),
-            default: usual.choice(METHOD),
+            default: defaults.choice(METHOD),
             names: Method::NAMES.to_vec(),
             doc: format!("the methods are {}", methods.collect::<Vec<_>>().join(", ")),
         },
         ChoiceReport {
             choice: GOLFER,
             value: setup.choice(GOLFER),
-            default: usual.choice(GOLFER),
+            default: defaults.choice(GOLFER),
             names: Golfer::NAMES.to_vec(),
             doc: "right or left, by the hand: swing, strike and club of a left-hander are the \
                   mirror image of a right-hander's"
@@ -284,7 +284,7 @@ fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
         ChoiceReport {
             choice: SPEED_OF,
             value: setup.choice(SPEED_OF),
-            default: usual.choice(SPEED_OF),
+            default: defaults.choice(SPEED_OF),
             names: SpeedOf::NAMES.to_vec(),
             doc: "centre-of-mass or face-centre, the point of the head whose speed, attack angle \
                   and path the swing states (they differ where swing.closure turns the head)"
@@ -293,7 +293,7 @@ fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
         ChoiceReport {
             choice: TURF,
             value: setup.choice(TURF),
-            default: usual.choice(TURF),
+            default: defaults.choice(TURF),
             names: TURFS.iter().map(|turf| turf.name).collect(),
             doc: format!(
                 "sets ground.restitution, ground.friction, ground.compliance and ground.rolling at \

@@ -105,16 +105,16 @@ impl OutcomeEffects {
             Some(sensitivity.as_ref().ok()?.value)
         };
         let effect = |effect: &Effect| {
-            let of_sigma = effect.sigma_effect.as_ref();
+            let sigma_effect = effect.sigma_effect.as_ref();
             EffectReport {
                 parameter: effect.parameter.name,
                 derivative: effect.gradient.into(),
                 elasticity: effect.elasticity.into(),
-                standard_uncertainty: of_sigma.map(|of_sigma| of_sigma.sigma.value).into(),
-                source: of_sigma.map(|of_sigma| of_sigma.sigma.source.unwrap_or(STATED)),
-                effect: of_sigma.map(|of_sigma| of_sigma.first_order).into(),
-                second_order: of_sigma.and_then(|of_sigma| of_sigma.second_order).into(),
-                flown: of_sigma.map(|of_sigma| of_sigma.flown.map(JsonNumber::from)),
+                standard_uncertainty: sigma_effect.map(|one| one.sigma.value).into(),
+                source: sigma_effect.map(|one| one.sigma.source.unwrap_or(STATED)),
+                effect: sigma_effect.map(|one| one.first_order).into(),
+                second_order: sigma_effect.and_then(|one| one.second_order).into(),
+                flown: sigma_effect.map(|one| one.flown.map(JsonNumber::from)),
                 derivative_of_optimum: total(effect.parameter).into(),
             }
         };
@@ -143,16 +143,13 @@ impl Report for SensitivityReport<'_> {
             let of = effects.of;
             let value = shown::both(of, effects.value, system);
             document.list([Line::flush(format!("{} = {value}, {at}", of.name()))]);
-            let of_sigmas: Vec<SigmaEffect> = effects.sigma_effects().copied().collect();
-            if !of_sigmas.is_empty() {
-                document.add(uncertainties(effects, &of_sigmas, system));
-                let source = |of_sigma: &SigmaEffect| {
-                    Some((
-                        of_sigma.sigma.parameter.name,
-                        of_sigma.sigma.source?.to_owned(),
-                    ))
+            let sigma_effects: Vec<SigmaEffect> = effects.sigma_effects().copied().collect();
+            if !sigma_effects.is_empty() {
+                document.add(uncertainties(effects, &sigma_effects, system));
+                let source = |SigmaEffect { sigma, .. }: &SigmaEffect| {
+                    Some((sigma.parameter.name, sigma.source?.to_owned()))
                 };
-                let sources = by_reason(of_sigmas.iter().filter_map(source)).into_iter();
+                let sources = by_reason(sigma_effects.iter().filter_map(source)).into_iter();
                 let lines = sources.map(|line| Line::item(format!("default of {line}")));
                 let defaults = DocumentBlock::List(lines.collect());
                 document.add_detail(defaults, Detail::WithAll);
@@ -166,7 +163,11 @@ impl Report for SensitivityReport<'_> {
 }
 
 /// The effects of uncertainties on an outcome, with the size of the second-order terms.
-fn uncertainties(effects: &Effects, of_sigmas: &[SigmaEffect], system: System) -> DocumentTable {
+fn uncertainties(
+    effects: &Effects,
+    sigma_effects: &[SigmaEffect],
+    system: System,
+) -> DocumentTable {
     let of = effects.of;
     let head = [
         "uncertainty of",
@@ -176,9 +177,9 @@ fn uncertainties(effects: &Effects, of_sigmas: &[SigmaEffect], system: System) -
         "flown at −σ",
         "flown at +σ",
     ];
-    let rows = of_sigmas
+    let rows = sigma_effects
         .iter()
-        .map(|of_sigma| cells_of_sigma(of_sigma, of, system));
+        .map(|sigma_effect| cells_of_sigma(sigma_effect, of, system));
     let mut table = DocumentTable::new(head, rows).right(1..=5);
     table.first_rows = FIRST_ROWS;
     table.remark(format!(
@@ -236,18 +237,19 @@ fn slopes(effects: &Effects, of_optimum: Option<&[EffectReport]>, system: System
     table
 }
 
-fn cells_of_sigma(of_sigma: &SigmaEffect, of: Outcome, system: System) -> Vec<String> {
+fn cells_of_sigma(sigma_effect: &SigmaEffect, of: Outcome, system: System) -> Vec<String> {
     let change = |value: f64| shown::change(of, value, system);
     let or_dash = |value: Option<f64>| value.map_or(shown::NONE.into(), change);
-    let [below, above] = of_sigma.flown;
+    let [below, above] = sigma_effect.flown;
+    let sigma = sigma_effect.sigma;
     vec![
-        of_sigma.sigma.parameter.name.into(),
+        sigma.parameter.name.into(),
         format!(
             "±{}",
-            shown::stated_difference(of_sigma.sigma.parameter, of_sigma.sigma.value, system)
+            shown::stated_difference(sigma.parameter, sigma.value, system)
         ),
-        change(of_sigma.first_order),
-        or_dash(of_sigma.second_order),
+        change(sigma_effect.first_order),
+        or_dash(sigma_effect.second_order),
         or_dash(below),
         or_dash(above),
     ]

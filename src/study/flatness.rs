@@ -124,7 +124,7 @@ const OF_SHORT_DRIVE: &str = "1 yd is more than a tenth of the carry of the best
                               loss that is allowed is 1 % of this carry";
 
 /// Carry of the best drive, SI, with a note, if this drive is short: its carry is below 10 yd. Its
-/// [`usual_loss`] is then 1 % of the carry. `None` for any other drive, and if the goal is no
+/// [`default_loss`] is then 1 % of the carry. `None` for any other drive, and if the goal is no
 /// length.
 pub fn short_drive(best: &Optimum) -> Option<(f64, &'static str)> {
     let carry = best
@@ -137,7 +137,7 @@ pub fn short_drive(best: &Optimum) -> Option<(f64, &'static str)> {
 
 /// The default allowed loss, SI. For a distance: 1 yd, or 1 % of the carry for a [short
 /// drive](short_drive). For any other quantity: 1 % of the value.
-pub fn usual_loss(best: &Optimum) -> f64 {
+pub fn default_loss(best: &Optimum) -> f64 {
     match best.search.of.quantity {
         Quantity::LENGTH => short_drive(best).map_or(YARD, |(carry, _)| 0.01 * carry),
         _ => {

@@ -40,7 +40,7 @@ pub use compare::{Cause, CauseValue, Comparison, Difference, Share, Shares, caus
 pub use effects::{Effect, Effects, SigmaEffect, effects, flown_off};
 pub use face::Face;
 pub use flatness::{
-    Direction, Ellipse, Flatness, Window, WindowLimit, flatness, short_drive, usual_loss, windows,
+    Direction, Ellipse, Flatness, Window, WindowLimit, default_loss, flatness, short_drive, windows,
 };
 pub use gain::{ClubAlone, improve_from_club_alone};
 pub use goal::{Constraint, ConstraintAtEnd, Goal};

@@ -32,7 +32,7 @@ pub(super) struct SearchProblem {
     /// The setup as given.
     pub as_given: Setup<f64>,
     /// The setup with a value for every varied parameter.
-    started: Setup<f64>,
+    initialized: Setup<f64>,
     pub search: Search,
     /// The varied parameters.
     pub parameters: Vec<&'static Parameter>,
@@ -95,7 +95,7 @@ impl SearchProblem {
                 outcomes.push(outcome);
             }
         }
-        let started = Vary::initialized(setup, &search.vary)?;
+        let initialized = Vary::initialized(setup, &search.vary)?;
         // if a goal has a kink or jump, all scenarios are used: the second derivatives depend on
         // the few drives near the kink or jump, which a subset does not represent
         let (subset, multiplicities) = if search.goals().any(Goal::has_edge) {
@@ -105,7 +105,7 @@ impl SearchProblem {
             subset_of(scenarios)
         };
         let evaluator = |point: &Vec<f64>| {
-            let setup = started.with_values(&scenarios.parameters, point)?;
+            let setup = initialized.with_values(&scenarios.parameters, point)?;
             Evaluator::new(&setup, &outcomes, &parameters, Order::Second)
         };
         // report the error of the first scenario, independently of the threads
@@ -115,7 +115,7 @@ impl SearchProblem {
             .collect::<Result<Vec<_>>>()?;
         Ok(Self {
             as_given: *setup,
-            started,
+            initialized,
             search,
             parameters,
             outcomes,
@@ -143,20 +143,20 @@ impl SearchProblem {
     /// Start of the search: the setup's own values of the varied parameters. A parameter without a
     /// value starts in the middle of its range.
     pub fn start(&self) -> Vec<f64> {
-        let own = |parameter: &&'static Parameter| self.started.value(parameter);
+        let own = |parameter: &&'static Parameter| self.initialized.value(parameter);
         self.parameters.iter().filter_map(own).collect()
     }
 
     /// The setup with the varied parameters set to `x`. The swing is the setup's own, not the swing
     /// of a scenario.
     pub fn setup_at(&self, x: &[f64]) -> Result<Setup<f64>> {
-        self.started.with_values(&self.parameters, x)
+        self.initialized.with_values(&self.parameters, x)
     }
 
     /// Evaluator of the goals' outcomes without derivatives, for a search over one drive.
     pub fn evaluator(&self) -> Result<Evaluator> {
         Evaluator::new(
-            &self.started,
+            &self.initialized,
             &self.outcomes,
             &self.parameters,
             Order::Value,
@@ -165,7 +165,7 @@ impl SearchProblem {
 
     /// Batch of the goals' outcomes, for a search over one drive.
     pub fn batch(&self) -> Result<Batch> {
-        Batch::new(&self.started, &self.parameters, &self.outcomes, &[])
+        Batch::new(&self.initialized, &self.parameters, &self.outcomes, &[])
     }
 
     /// Values of the goals at `x`, for a search over one drive. `outcomes` are those of the drive.
@@ -288,13 +288,9 @@ impl SearchProblem {
             Measure::One => (1.0, None),
             Measure::Parameter(parameter) => {
                 let place = self.parameters.iter().position(|vary| vary == parameter);
-                (
-                    place.map_or_else(
-                        || self.started.value_or_unset(parameter).unwrap_or(f64::NAN),
-                        |place| x[place],
-                    ),
-                    place,
-                )
+                let own = self.initialized.value_or_unset(parameter);
+                let value = place.map_or(own.unwrap_or(f64::NAN), |place| x[place]);
+                (value, place)
             }
             _ => return None,
         };

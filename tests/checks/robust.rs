@@ -250,7 +250,7 @@ fn bad_models_are_refused_with_the_reason() {
         );
     }
     let mut setup = Setup::modern_driver();
-    let names: Vec<String> = Model::usual(&setup)
+    let names: Vec<String> = Model::defaults(&setup)
         .unwrap()
         .into_iter()
         .map(|model| model.name)
@@ -264,7 +264,7 @@ fn bad_models_are_refused_with_the_reason() {
         ])
         .unwrap();
     assert!(
-        Model::usual(&setup)
+        Model::defaults(&setup)
             .unwrap()
             .iter()
             .all(|model| !model.name.contains("impact."))

@@ -48,11 +48,11 @@ pub fn format_of(args: &Args, target: RowsTarget<'_>) -> Result<FlyFormat> {
     }
     let running = running();
     let fits_screen = running.host.is_screen() && !running.options.all;
-    let usual = match fits_screen {
+    let default = match fits_screen {
         true => FlyFormat::Screen,
         false => FlyFormat::Csv,
     };
-    target.format(args.format, usual)
+    target.format(args.format, default)
 }
 
 /// The destination of the rows. Without an output file, an answer in JSON has the summary only: no

@@ -30,7 +30,7 @@ use crate::reproduce::while_loop;
 use crate::study::certificate::certify;
 use crate::study::{
     ChartObserver, Constraint, DriveRole, Fineness, Map, NamedDrive, Optimum, Region, Search, Vary,
-    chart, effects, map, optimum, short_drive, usual_loss, with_defaults,
+    chart, default_loss, effects, map, optimum, short_drive, with_defaults,
 };
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
@@ -123,7 +123,7 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
         note(message);
     }
     let region = best
-        .map(|best| Region::around(best, across, up, usual_loss(best)))
+        .map(|best| Region::around(best, across, up, default_loss(best)))
         .transpose()?
         .flatten();
     spinner.finish();

@@ -14,5 +14,5 @@ mod rules;
 pub use constraints::{ConstraintState, DesignConstraint, Enforcement};
 pub use golfer::{GOLFER, golfer};
 pub use improvements::{Improvement, improvements};
-pub use problem::{Design, usual_vary};
+pub use problem::{Design, default_vary};
 pub use rules::{GolfRule, LimitedQuantity, RULES};

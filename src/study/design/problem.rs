@@ -12,7 +12,7 @@ use crate::study::{Constraint, Optimum, Search};
 use crate::units::{DisplayUnit, Quantity, counted};
 
 /// Default variables: the face.
-const USUAL: [&str; 3] = [
+const DEFAULTS: [&str; 3] = [
     "club.bulge_radius=150mm..1000mm",
     "club.roll_radius=150mm..1000mm",
     "club.loft=6deg..16deg",
@@ -22,8 +22,8 @@ const USUAL: [&str; 3] = [
 ///
 /// # Errors
 /// The errors of [`Vary::read`], for a flat face or a given launch.
-pub fn usual_vary(setup: &Setup<f64>) -> Result<Vec<Vary>> {
-    Vary::read_all(setup, USUAL)
+pub fn default_vary(setup: &Setup<f64>) -> Result<Vec<Vary>> {
+    Vary::read_all(setup, DEFAULTS)
 }
 
 const REACHED: &str = "the swings reach";

@@ -27,7 +27,7 @@ pub struct Model {
 
 /// Default models: known uncertainties of impact and flight as changes of a setup
 /// (docs/sources.md).
-const USUAL: [([(&str, &str); 1], &str); 4] = [
+const DEFAULTS: [([(&str, &str); 1], &str); 4] = [
     ([(LAW, "launch-monitor")], "a launch monitor's predictions"),
     (
         [(LAW, "ferguson")],
@@ -112,9 +112,9 @@ impl Model {
     ///
     /// # Errors
     /// The errors of [`Setup::set_all`]; a test shows that the built-in changes give none.
-    pub fn usual(setup: &Setup<f64>) -> Result<Vec<Self>> {
+    pub fn defaults(setup: &Setup<f64>) -> Result<Vec<Self>> {
         let mut all = vec![Self::as_set_up(setup)];
-        for (changes, reason) in USUAL {
+        for (changes, reason) in DEFAULTS {
             let mut changed = *setup;
             changed.set_all(changes)?;
             // a given launch replaces the impact, so a change of the impact has no effect
