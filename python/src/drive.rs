@@ -86,7 +86,7 @@ pub fn simulate<'py>(
 ) -> PyResult<PySimulated> {
     answer(|| {
         let of = of.map_or_else(
-            || Ok(Outcome::ALL.to_vec()),
+            || Ok(Outcome::OF_DRIVES.to_vec()),
             |of| outcomes_named(&listed("of", of)?),
         )?;
         let choice = step_choice(tolerance, own_step)?;

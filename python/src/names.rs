@@ -43,7 +43,7 @@ pub fn outcomes_named(names: &[String]) -> Answer<Vec<Outcome>> {
     let mut of = vec![];
     for name in names {
         let named = if name == "all" {
-            Outcome::ALL.to_vec()
+            Outcome::OF_DRIVES.to_vec()
         } else {
             vec![Outcome::named(name)?]
         };
@@ -211,7 +211,7 @@ pub fn presets(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
 pub fn outcomes(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     answer(|| {
         let all = PyList::empty(py);
-        for outcome in Outcome::ALL.iter().chain(Outcome::OF_HEAD) {
+        for outcome in Outcome::OF_DRIVES.iter().chain(Outcome::OF_HEAD) {
             let part = match outcome.group() {
                 OutcomeGroup::Launch => "launch",
                 OutcomeGroup::Flight => "flight",

@@ -56,7 +56,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let of = outcomes(&args.of)?;
     let requests = args.pair.requests()?;
     let comparison = args.pair.comparison(&requests)?;
-    warn(comparison.warnings(Outcome::ALL));
+    warn(comparison.warnings(Outcome::OF_DRIVES));
     let origin = origin_of_pair(&requests);
     if !is_json() && !origin.advice.is_empty() {
         note(&origin.advice);

@@ -22,7 +22,7 @@ pub fn outcomes(names: &[String]) -> Result<Vec<Outcome>> {
     let mut of = Vec::new();
     for name in given(names) {
         let named = if name == "all" {
-            Outcome::ALL.to_vec()
+            Outcome::OF_DRIVES.to_vec()
         } else {
             vec![Outcome::named(name)?]
         };

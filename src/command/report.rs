@@ -243,7 +243,7 @@ fn add_drives(
 ) -> Result<()> {
     let setup = &findings.setup;
     let own = NamedDrive::new(DriveRole::AsSetUp, setup)?;
-    remarks.extend(own.drive.warnings_about(setup, Outcome::ALL));
+    remarks.extend(own.drive.warnings_about(setup, Outcome::OF_DRIVES));
     bar.inc(1);
     let mut found = search
         .map(|search| optimum(setup, search.clone(), Observer::default()))
@@ -257,7 +257,9 @@ fn add_drives(
     findings.flown.push(own);
     if let Some(best) = findings.best() {
         let longest = NamedDrive::new(DriveRole::Optimum, &best.setup)?;
-        let mut of_drive = longest.drive.warnings_about(&best.setup, Outcome::ALL);
+        let mut of_drive = longest
+            .drive
+            .warnings_about(&best.setup, Outcome::OF_DRIVES);
         of_drive.retain(|warning| !remarks.contains(warning));
         remarks.extend(
             of_drive

@@ -8,7 +8,7 @@ use crate::{Drive, Outcome, Result};
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.request()?;
     let setup = request.setup_within_tolerance()?;
-    warn(setup.drive_warnings(Outcome::ALL));
+    warn(setup.drive_warnings(Outcome::OF_DRIVES));
     let drive = Drive::new(&setup)?;
     let report = DriveReport::new(&setup, &drive);
     let answer = Answer::report(&report, &request.origin());

@@ -10,8 +10,8 @@ use std::fmt;
 use std::sync::atomic::AtomicBool;
 
 impl Outcome {
-    /// All outcomes of drives; the outcomes of the head are [`OF_HEAD`](Self::OF_HEAD).
-    pub const ALL: &'static [Self] = Self::EVERY.split_at(Self::count_of_drives()).0;
+    /// The outcomes of drives; the outcomes of the head are [`OF_HEAD`](Self::OF_HEAD).
+    pub const OF_DRIVES: &'static [Self] = Self::EVERY.split_at(Self::count_of_drives()).0;
 
     /// Outcomes of the head, which do not depend on the swing. [`named`](Self::named) also finds
     /// them.
@@ -339,7 +339,7 @@ mod tests {
 
     #[test]
     fn every_outcome_has_an_uncertainty_above_0_with_a_source() {
-        for outcome in Outcome::ALL {
+        for outcome in Outcome::OF_DRIVES {
             let sigma = outcome.measurement_uncertainty().unwrap_or_default();
             let source = outcome.instrument().unwrap().source();
             let text = source.to_string();

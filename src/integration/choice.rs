@@ -280,6 +280,6 @@ pub(crate) fn neighbourhood(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> V
 
 /// All outcomes that do not depend on the run. The error of the run caused by the step is unknown.
 pub(crate) fn of_the_flight() -> Vec<Outcome> {
-    let all = Outcome::ALL.iter().copied();
+    let all = Outcome::OF_DRIVES.iter().copied();
     all.filter(|outcome| !outcome.needs_run()).collect()
 }

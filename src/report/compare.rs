@@ -185,7 +185,7 @@ fn difference_line(difference: &Difference, system: System) -> Line {
 
 /// The outcomes of two drives, and their differences.
 fn outcomes(comparison: &Comparison, system: System) -> DocumentTable {
-    let rows = Outcome::ALL.iter().filter_map(|of| {
+    let rows = Outcome::OF_DRIVES.iter().filter_map(|of| {
         let values = comparison.drives.each_ref().map(|drive| of.value(drive));
         let change = match values {
             [None, None] => return None,

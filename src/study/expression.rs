@@ -563,7 +563,7 @@ fn weighted(piece: Piece<'_>, weight: &str, term: Term) -> Result<Term> {
         Some((weight, of))
     };
     let is_number = term.measure.unit().quantity.si.is_empty();
-    let found = is_number.then(|| Outcome::ALL.iter().copied().find_map(amount));
+    let found = is_number.then(|| Outcome::OF_DRIVES.iter().copied().find_map(amount));
     if let Some((weight, of)) = found.flatten() {
         return Ok(Term {
             weight,

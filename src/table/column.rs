@@ -549,7 +549,7 @@ fn is_head_of_launch_monitor(name: &str, format: TableFormat) -> bool {
     let has_own_marks = name.contains(['_', '.']) && !name.ends_with('.');
     // `cary` is a misspelt name of this program; `club` and `date` belong to launch monitors
     let is_a_slip = || {
-        Outcome::ALL
+        Outcome::OF_DRIVES
             .iter()
             .any(|of| strsim::levenshtein(name, of.name()) <= 2)
     };
@@ -592,7 +592,7 @@ fn known(setup: &Setup<f64>, name: &str) -> Result<&'static Parameter> {
     setup.column(name).map_err(|error| match error {
         Error::Unknown { .. } => {
             let names: Vec<_> = setup.parameters().iter().map(|row| row.name).collect();
-            let outcomes = Outcome::ALL.iter().map(|outcome| outcome.name());
+            let outcomes = Outcome::OF_DRIVES.iter().map(|outcome| outcome.name());
             Error::unknown(
                 "column",
                 name,

@@ -42,7 +42,7 @@ pub(super) fn heads() -> impl Iterator<Item = (&'static str, Meaning)> {
     let of_delivery = OF_DELIVERY
         .iter()
         .map(|(head, parameter)| (*head, Meaning::Input(parameter)));
-    let of_outcomes = Outcome::ALL
+    let of_outcomes = Outcome::OF_DRIVES
         .iter()
         .filter(|of| !of.needs_run())
         .flat_map(|of| {
@@ -56,7 +56,10 @@ pub(super) fn heads() -> impl Iterator<Item = (&'static str, Meaning)> {
 /// The outcome of the rest position whose column head is `words`, in lower case without
 /// punctuation.
 pub(super) fn rest_of_head(words: &str) -> Option<Outcome> {
-    let mut of_rest = Outcome::ALL.iter().copied().filter(|of| of.needs_run());
+    let mut of_rest = Outcome::OF_DRIVES
+        .iter()
+        .copied()
+        .filter(|of| of.needs_run());
     of_rest.find(|of| of.column_heads().contains(&words))
 }
 

@@ -9,7 +9,7 @@ use crate::units::Quantity;
 /// Meaning of a launch monitor's column head, which is given without its unit. `None` for names of
 /// this program and unknown heads.
 pub(super) fn meaning(name: &str) -> Option<Meaning> {
-    let is_a_name = || Outcome::ALL.iter().any(|of| of.name() == name);
+    let is_a_name = || Outcome::OF_DRIVES.iter().any(|of| of.name() == name);
     if is_own(name) && (!name.contains('_') || is_a_name()) {
         return None;
     }
@@ -292,7 +292,7 @@ mod tests {
                 );
             }
         }
-        for of in Outcome::ALL.iter().filter(|of| of.needs_run()) {
+        for of in Outcome::OF_DRIVES.iter().filter(|of| of.needs_run()) {
             for head in of.column_heads() {
                 assert!(seen.insert(head), "{head} is listed twice");
             }

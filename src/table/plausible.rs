@@ -83,7 +83,7 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
     ))
 }
 
-/// Plausible range of each outcome in SI, in the order of [`Outcome::ALL`]; `None` for an outcome
+/// Plausible range of each outcome in SI, in the order of [`Outcome::OF_DRIVES`]; `None` for an outcome
 /// without such a range. A bound that is itself plausible is moved outwards by the rounding of a
 /// unit conversion.
 static IN_SI: LazyLock<Vec<Option<[f64; 2]>>> = LazyLock::new(|| {
@@ -98,7 +98,7 @@ static IN_SI: LazyLock<Vec<Option<[f64; 2]>>> = LazyLock::new(|| {
         };
         Some([low * size, (plausible.high + slack) * size])
     };
-    Outcome::ALL.iter().map(in_si).collect()
+    Outcome::OF_DRIVES.iter().map(in_si).collect()
 });
 
 /// Message for a value outside of the plausible range of drives; `None` for a plausible value.

@@ -113,7 +113,7 @@ fn exact_face_centre_moves_as_a_point_of_a_rigid_head() {
         "the two points have nearly one path: the case tests nothing"
     );
     let [stated_drive, other_drive] = [stated, other].map(|setup| Drive::new(&setup).unwrap());
-    for of in Outcome::ALL {
+    for of in Outcome::OF_DRIVES {
         let (Some(found), Some(expected)) = (of.value(&stated_drive), of.value(&other_drive))
         else {
             continue;

@@ -241,7 +241,12 @@ fn readable(path: &Path, format: &str) -> usize {
             let mut reader = csv::Reader::from_path(path).unwrap();
             reader
                 .records()
-                .map(|row| assert_eq!(row.unwrap().len(), 3 + 3 * longdrive::Outcome::ALL.len()))
+                .map(|row| {
+                    assert_eq!(
+                        row.unwrap().len(),
+                        3 + 3 * longdrive::Outcome::OF_DRIVES.len()
+                    )
+                })
                 .count()
         }
         "jsonl" => {

@@ -177,7 +177,10 @@ fn same_shares_of_several_outcomes_at_once_and_of_each_alone() {
     ];
     for (a, b) in [(a, b), (changed(&a, &still), changed(&a, &up))] {
         let comparison = Comparison::new(&a, &b).unwrap();
-        for (of, found) in Outcome::ALL.iter().zip(comparison.of_each(Outcome::ALL)) {
+        for (of, found) in Outcome::OF_DRIVES
+            .iter()
+            .zip(comparison.of_each(Outcome::OF_DRIVES))
+        {
             let shares = |found: longdrive::Result<Difference>| {
                 let found = found.map_err(|error| error.to_string())?;
                 let amounts = |split: &Shares| {

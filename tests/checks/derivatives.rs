@@ -494,7 +494,7 @@ fn an_undefined_derivative_is_an_error_and_not_nan() {
         .unwrap();
     setup.swing.attack_angle = 89.9999999_f64.to_radians();
     let drive = Drive::new(&setup).unwrap();
-    for outcome in Outcome::ALL {
+    for outcome in Outcome::OF_DRIVES {
         assert!(
             outcome.value(&drive).is_none_or(f64::is_finite),
             "{}",

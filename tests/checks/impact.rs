@@ -221,7 +221,7 @@ fn exact_mirror_symmetry() {
             }
         });
         let [a, b] = [setup, other].map(|s| longdrive::Drive::new(&s).unwrap());
-        for outcome in Outcome::ALL {
+        for outcome in Outcome::OF_DRIVES {
             let (Some(ours), Some(theirs)) = (outcome.value(&a), outcome.value(&b)) else {
                 continue;
             };

@@ -38,7 +38,7 @@ fn exact_mirror_image_of_the_other_hand() {
         let (Ok(right), Ok(left)) = (Drive::new(&setup), Drive::new(&other)) else {
             continue;
         };
-        for of in Outcome::ALL {
+        for of in Outcome::OF_DRIVES {
             let (Some(right), Some(left)) = (of.value(&right), of.value(&left)) else {
                 continue;
             };

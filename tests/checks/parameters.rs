@@ -221,12 +221,15 @@ fn parameters_and_outcomes_are_keys_and_have_names() {
         rows.iter()
             .all(|row| row.to_string() == row.name && different.contains(row))
     );
-    let outcomes: HashSet<Outcome> = Outcome::ALL
+    let outcomes: HashSet<Outcome> = Outcome::OF_DRIVES
         .iter()
         .chain(Outcome::OF_HEAD)
         .copied()
         .collect();
-    assert_eq!(outcomes.len(), Outcome::ALL.len() + Outcome::OF_HEAD.len());
+    assert_eq!(
+        outcomes.len(),
+        Outcome::OF_DRIVES.len() + Outcome::OF_HEAD.len()
+    );
     for of in outcomes {
         assert_eq!(
             (of.to_string().as_str(), Outcome::named(of.name()).unwrap()),
@@ -386,7 +389,7 @@ fn same_drive_with_an_unset_parameter_and_with_its_documented_value() {
             ))
         });
         let outcomes = |drive: &Drive<f64>| {
-            Outcome::ALL
+            Outcome::OF_DRIVES
                 .iter()
                 .filter_map(|of| of.value(drive))
                 .collect::<Vec<_>>()

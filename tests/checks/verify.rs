@@ -69,7 +69,7 @@ fn failures(certificate: &Certificate) -> Vec<String> {
 fn differences_certify_every_derivative_of_every_preset_and_catch_every_planted_error() {
     for preset in PRESETS {
         let setup = Setup::preset(preset.name).unwrap();
-        let of = Outcome::ALL;
+        let of = Outcome::OF_DRIVES;
         let certificate = certificate(&setup, of, &setup.variables());
         assert!(
             certificate.passed(),
@@ -260,7 +260,7 @@ fn differences_certify_random_derivatives_by_one_parameter() {
         if !Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok()) {
             return None;
         }
-        let certificate = certificate(setup, Outcome::ALL, &wrt);
+        let certificate = certificate(setup, Outcome::OF_DRIVES, &wrt);
         let law = setup.law.name();
         let wrong = (!certificate.passed()).then(|| {
             let failures = failures(&certificate).join("\n  ");
@@ -353,7 +353,7 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
         .unwrap();
     let certificate = self::certificate(
         &vacuum,
-        Outcome::ALL,
+        Outcome::OF_DRIVES,
         &[vacuum.variable("gravity").unwrap()],
     );
     assert!(certificate.passed(), "{:?}", failures(&certificate));
@@ -377,7 +377,7 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
     high.set_all(settings).unwrap();
     let certificate = self::certificate(
         &high,
-        Outcome::ALL,
+        Outcome::OF_DRIVES,
         &[high.variable("aero.spin_decay").unwrap()],
     );
     assert!(certificate.passed(), "{:?}", failures(&certificate));
@@ -388,7 +388,7 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
             .unwrap();
         let certificate = self::certificate(
             &setup,
-            Outcome::ALL,
+            Outcome::OF_DRIVES,
             &[setup.variable("aero.spin_decay").unwrap()],
         );
         assert!(certificate.passed(), "{law}: {:?}", failures(&certificate));
@@ -499,7 +499,7 @@ fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
         let mut setup = Setup::preset(preset).unwrap();
         setup.set("aero.law", "bearman-harvey").unwrap();
         setup.set_all(settings.iter().copied()).unwrap();
-        let found = certificate(&setup, Outcome::ALL, &[setup.variable(by).unwrap()]);
+        let found = certificate(&setup, Outcome::OF_DRIVES, &[setup.variable(by).unwrap()]);
         assert!(found.passed(), "{preset} by {by}: {:?}", found.failures());
         assert!(
             found.convergence.iter().all(|it| it.expected == [4, 3]),
@@ -520,7 +520,7 @@ fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
             .unwrap();
         let found = certificate(
             &setup,
-            Outcome::ALL,
+            Outcome::OF_DRIVES,
             &[setup.variable("air.altitude").unwrap()],
         );
         assert!(found.passed(), "{law}: {:?}", found.failures());

@@ -187,7 +187,7 @@ fn same_drive_by_weather_and_by_its_density_and_by_wind_components() {
         -5.0 * 60_f64.to_radians().cos(),
     ];
     let [ours, theirs] = [setup, given].map(|setup| Drive::new(&setup).unwrap());
-    for of in Outcome::ALL {
+    for of in Outcome::OF_DRIVES {
         let [ours, theirs] = [&ours, &theirs].map(|drive| of.value(drive).unwrap());
         close(ours, theirs, theirs.abs().max(1.0), 1e-13, of.name());
     }

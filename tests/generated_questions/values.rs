@@ -306,7 +306,7 @@ pub fn outcome(choices: &mut Choices) -> String {
     match choices.below(40) {
         0 => "all".into(),
         _ if choices.is(0.4) => choices.of(&["carry", "lateral"]).into(),
-        _ => choices.of(Outcome::ALL).name().into(),
+        _ => choices.of(Outcome::OF_DRIVES).name().into(),
     }
 }
 
@@ -329,7 +329,7 @@ pub fn list(count: usize, choices: &mut Choices, one: impl Fn(&mut Choices) -> S
 
 /// A constraint for `--subject-to`.
 pub fn constraint(choices: &mut Choices) -> String {
-    let outcome = choices.of(Outcome::ALL);
+    let outcome = choices.of(Outcome::OF_DRIVES);
     let usual = match outcome.unit() {
         "yd" => 200.0,
         "mph" => 150.0,

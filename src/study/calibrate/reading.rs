@@ -197,7 +197,7 @@ impl Reading {
                 .iter()
                 .any(|shot| shot.refusal().is_none() && shot.value(**of).is_some())
         };
-        let outcomes = Outcome::ALL.iter().filter(is_stated);
+        let outcomes = Outcome::OF_DRIVES.iter().filter(is_stated);
         let outcomes = outcomes.map(|of| Column::of(Content::Outcome(*of), of.name()));
         let is_given = |(at, _): &(usize, &str)| {
             let mut clubs = shots.iter().map(|shot| shot.club.values());

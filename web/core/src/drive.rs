@@ -119,15 +119,15 @@ impl Head<'_> {
         numbers: &mut Vec<f64>,
     ) {
         let setup = &checked.setup;
-        let mut warnings = drive.warnings_about(setup, Outcome::ALL);
+        let mut warnings = drive.warnings_about(setup, Outcome::OF_DRIVES);
         let names = setup
             .parameters()
             .into_iter()
             .map(|parameter| parameter.name);
         warnings.extend(idle_warnings(names, &[*setup]));
         self.warnings = warnings.iter().map(|text| checked.text(text)).collect();
-        self.outcomes = Outcome::ALL.iter().map(|of| of.name()).collect();
-        let values = Outcome::ALL.iter().map(|of| of.of(drive));
+        self.outcomes = Outcome::OF_DRIVES.iter().map(|of| of.name()).collect();
+        let values = Outcome::OF_DRIVES.iter().map(|of| of.of(drive));
         numbers.extend(values.map(|value| value.unwrap_or(f64::NAN)));
         self.status = "landed";
         if let Flight::None(why) = &drive.flight {
