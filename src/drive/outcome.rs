@@ -11,16 +11,16 @@ use std::sync::atomic::AtomicBool;
 
 impl Outcome {
     /// The outcomes of drives; the outcomes of the head are [`OF_HEAD`](Self::OF_HEAD).
-    pub const OF_DRIVES: &'static [Self] = Self::EVERY.split_at(Self::count_of_drives()).0;
+    pub const OF_DRIVES: &'static [Self] = Self::ALL.split_at(Self::count_of_drives()).0;
 
     /// Outcomes of the head, which do not depend on the swing. [`named`](Self::named) also finds
     /// them.
-    pub const OF_HEAD: &'static [Self] = Self::EVERY.split_at(Self::count_of_drives()).1;
+    pub const OF_HEAD: &'static [Self] = Self::ALL.split_at(Self::count_of_drives()).1;
 
     const fn count_of_drives() -> usize {
         let mut count = 0;
         while !matches!(
-            Self::EVERY[count].declaration().computed_from,
+            Self::ALL[count].declaration().computed_from,
             ComputedFrom::Head
         ) {
             count += 1;
@@ -101,7 +101,7 @@ impl Outcome {
 
     /// All outcomes of a group.
     pub fn in_group(group: OutcomeGroup) -> impl Iterator<Item = Self> + Clone {
-        Self::EVERY
+        Self::ALL
             .iter()
             .copied()
             .filter(move |outcome| outcome.group() == group)
@@ -165,12 +165,12 @@ impl Outcome {
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no outcome has this name.
     pub fn named(name: &str) -> Result<Self> {
-        Self::EVERY
+        Self::ALL
             .iter()
             .copied()
             .find(|outcome| outcome.name() == name)
             .ok_or_else(|| {
-                let names = Self::EVERY.iter().map(|outcome| outcome.name());
+                let names = Self::ALL.iter().map(|outcome| outcome.name());
                 Error::unknown(
                     "outcome",
                     name,
@@ -291,7 +291,7 @@ impl schemars::JsonSchema for Outcome {
     }
 
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        let names: Vec<_> = Self::EVERY.iter().map(|outcome| outcome.name()).collect();
+        let names: Vec<_> = Self::ALL.iter().map(|outcome| outcome.name()).collect();
         schemars::json_schema!({
             "description": "The name of an outcome.",
             "type": "string",
@@ -314,13 +314,13 @@ mod tests {
         let mut landed = *drive.landed().unwrap();
         without(&mut drive, &mut landed);
         drive.flight = Flight::Landed(landed);
-        let every = Outcome::EVERY.iter().copied();
+        let every = Outcome::ALL.iter().copied();
         every.filter(|of| of.value(&drive).is_none()).collect()
     }
 
     #[test]
     fn every_unit_of_an_outcome_is_a_unit_of_its_quantity() {
-        for of in Outcome::EVERY {
+        for of in Outcome::ALL {
             for system in [System::Metric, System::Us] {
                 let unit = system.unit(of.unit());
                 let is_known = unit.is_empty() || of.quantity().size_of(unit).is_some();
@@ -330,11 +330,7 @@ mod tests {
     }
 
     fn declared(is: impl Fn(Outcome) -> bool) -> Vec<Outcome> {
-        Outcome::EVERY
-            .iter()
-            .copied()
-            .filter(|of| is(*of))
-            .collect()
+        Outcome::ALL.iter().copied().filter(|of| is(*of)).collect()
     }
 
     #[test]

@@ -62,7 +62,7 @@ macro_rules! outcomes {
 
         impl Outcome {
             /// Outcomes of drives, then outcomes of the head.
-            pub(super) const EVERY: &'static [Self] = &[$( Self::$Outcome ),+];
+            pub(super) const ALL: &'static [Self] = &[$( Self::$Outcome ),+];
 
             /// Facts about the outcome.
             pub(super) const fn declaration(self) -> &'static Declaration {
