@@ -3,10 +3,11 @@ use crate::command::names::{outcomes, sigmas};
 use crate::command::output::{Answer, note, system, warn, with_bar};
 use crate::command::request::Request;
 use crate::derivative::all_variables;
-use crate::parameters::Parameter;
+use crate::parameters::{Parameter, Vary};
 use crate::report::{SensitivityReport, SetupOrigin, by_reason};
 use crate::study::{
-    Effects, Optimum, Sensitivity, SigmaEffect, effects, flown_off, sensitivities, with_defaults,
+    Effects, Optimum, Sensitivity, Sigma, SigmaEffect, effects, flown_off, sensitivities,
+    with_defaults,
 };
 use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
@@ -50,6 +51,12 @@ pub fn run(args: &Args) -> Result<Answer> {
         let instead = "without `at_optimum`, the answer is about the drive as stated";
         let mut drive_search = args.search.of_drive(&request, None, Some(instead))?;
         drive_search.setup = args.with_assumed_launch(&request, drive_search.setup)?;
+        // refuse wrong names before the search; the amounts are read at the optimum, because a
+        // percentage is relative to the value there
+        let initialized = Vary::initialized(&drive_search.setup, &drive_search.search.vary)?;
+        for text in &args.sigma {
+            Sigma::named(&initialized, text)?;
+        }
         let best = drive_search.optimum()?;
         best.check_converged()?;
         note(&best.message().in_units(system()));

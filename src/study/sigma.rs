@@ -37,14 +37,9 @@ impl Sigma {
     /// [`Error::Unreadable`] for an amount that is not positive, and for a percentage of a value that
     /// is 0, unset, or a temperature; the errors of [`Setup::variable`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
-        let unreadable = |source| Error::Unreadable {
-            name: format!("the standard uncertainty {}", text.trim()),
-            source,
-        };
-        let (name, amount) = text.split_once('=').ok_or_else(|| {
-            unreadable("write NAME=AMOUNT, for example swing.speed=1mph or air.density=0.5%".into())
-        })?;
-        let parameter = setup.variable(name.trim())?;
+        let parameter = Self::named(setup, text)?;
+        let amount = text.split_once('=').map_or("", |(_, amount)| amount);
+        let unreadable = |source| unreadable(text, source);
         let value =
             amount_of(setup, parameter, amount, AmountKind::Deviation).map_err(unreadable)?;
         if value > 0.0 && value.is_finite() {
@@ -63,6 +58,20 @@ impl Sigma {
             example.trim_end()
         );
         Err(unreadable(reason.into()))
+    }
+
+    /// The parameter that the text `NAME=AMOUNT` names. The amount is not read.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] for a text without `=`; the errors of [`Setup::variable`].
+    pub fn named(setup: &Setup<f64>, text: &str) -> Result<&'static Parameter> {
+        match text.split_once('=') {
+            Some((name, _)) => setup.variable(name.trim()),
+            None => {
+                let source = "write NAME=AMOUNT, for example swing.speed=1mph or air.density=0.5%";
+                Err(unreadable(text, source.into()))
+            }
+        }
     }
 
     /// Checks that the setup has the parameter and that the value is valid. Only uncertainties
@@ -86,6 +95,12 @@ impl Sigma {
             source,
         ))
     }
+}
+
+/// The error for a text `NAME=AMOUNT`.
+fn unreadable(text: &str, source: Box<dyn std::error::Error + Send + Sync>) -> Error {
+    let name = format!("the standard uncertainty {}", text.trim());
+    Error::Unreadable { name, source }
 }
 
 /// Refuses two uncertainties of a parameter.

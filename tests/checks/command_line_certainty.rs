@@ -224,6 +224,20 @@ fn effects_and_the_sensitivity_of_an_optimum_as_json() {
     );
 }
 
+/// A search without iterations finds no optimum, so the name is refused before the search.
+#[test]
+fn a_wrong_name_of_an_uncertainty_is_refused_before_the_search() {
+    let search = ["sensitivity", "--at-optimum", "--max-iterations", "0"];
+    for (sigma, reason) in [
+        ("swing.sped=1mph", "swing.sped"),
+        ("swing.speed", "write NAME=AMOUNT"),
+    ] {
+        let printed = longdrive(&[&search[..], &["--sigma", sigma]].concat());
+        assert_eq!(printed.status, 2, "{}", printed.err);
+        assert!(printed.err.contains(reason), "{}", printed.err);
+    }
+}
+
 /// A percentage is of the value that the parameter has in the analysed drive: the optimum.
 #[test]
 fn a_percentage_at_the_optimum_is_of_the_value_there() {
