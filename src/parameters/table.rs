@@ -223,7 +223,7 @@ parameter_groups! {
         /// Backspin at launch.
         backspin: Option<T> = "launch.backspin", "ω_b", ANGULAR_VELOCITY in "rpm",
             Range::from_to(-1e5, 1e5),
-            "none", "the club strikes the ball";
+            "none", "the club strikes the ball, or launch.spin is given";
         /// Sidespin at launch, + curves right; unset: 0.
         sidespin: Option<T> or 0.0 = "launch.sidespin", "ω_s", ANGULAR_VELOCITY in "rpm",
             Range::from_to(-1e5, 1e5),
@@ -231,7 +231,7 @@ parameter_groups! {
         /// Total spin at launch, in place of backspin and sidespin.
         spin: Option<T> = "launch.spin", "|ω_0|", ANGULAR_VELOCITY in "rpm",
             Range::from_to(0.0, 1e5),
-            "none", "the club strikes the ball";
+            "none", "the club strikes the ball, or launch.backspin is given";
         /// Tilt of the spin axis at launch, + right, given with launch.spin; unset: 0.
         spin_axis: Option<T> or 0.0 = "launch.spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg",
             Range::within_degrees(180.0),
@@ -251,20 +251,23 @@ parameter_groups! {
         /// Temperature; unset: 25 °C if other weather is set.
         temperature: Option<T> = "air.temperature", "T", TEMPERATURE in "degC",
             Range::from_to(183.15, 333.15),
-            "none", "density and viscosity are given; the range is −90 to 60 °C";
+            "none", "density and viscosity are given, or other weather; the range is −90 to 60 °C";
         /// Pressure on the course, not reduced to sea level; unset: the pressure of the altitude if
         /// other weather is set.
         pressure: Option<T> = "air.pressure", "p", PRESSURE in "hPa",
             Range::from_to(22_000.0, 115_000.0),
-            "none", "density and viscosity are given; the range follows from the altitudes";
+            "none",
+            "density and viscosity are given, or other weather; the range follows from the altitudes";
         /// Altitude above sea level, from which the standard atmosphere gives the pressure; unset:
         /// 0 m if other weather is set.
         altitude: Option<T> = "air.altitude", "H", LENGTH in "ft",
             Range::from_to(-1000.0, 11_000.0),
-            "none", "density and viscosity are given; the troposphere of ISO 2533 ends at 11 km";
+            "none",
+            "density and viscosity are given, or other weather; the troposphere of ISO 2533 ends at \
+             11 km";
         /// Relative humidity; unset: dry air if other weather is set.
         humidity: Option<T> = "air.humidity", "h_r", NUMBER in "", Range::from_to(0.0, 1.0),
-            "none", "density and viscosity are given";
+            "none", "density and viscosity are given, or other weather";
     }
 
     /// Decay of the spin in the air; the coefficients of drag and lift belong to the law.

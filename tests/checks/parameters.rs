@@ -284,6 +284,34 @@ fn impossible_ranges_are_refused_by_the_name_of_the_parameter() {
     );
 }
 
+/// With other weather, density and viscosity are not given; with backspin, no club strikes the ball.
+#[test]
+fn exact_remark_of_an_unset_value_beside_values_that_replace_it() {
+    let remark = |setup: &Setup<f64>, name: &str| {
+        let text = setup_toml(setup, &SetupFile::of_preset("mae494").unwrap(), &[], &[]).unwrap();
+        let unset = format!("\n{name} = \"none\" # ");
+        let (_, after) = text.split_once(&unset).unwrap();
+        after.lines().next().unwrap().to_owned()
+    };
+    let mut warm = Setup::preset("mae494").unwrap();
+    warm.set("air.temperature", "30 degC").unwrap();
+    for name in ["pressure", "altitude", "humidity"] {
+        let given = "density and viscosity are given, or other weather";
+        assert!(remark(&warm, name).starts_with(given), "{name}");
+    }
+    let mut launched = Setup::preset("mae494").unwrap();
+    let conditions = [
+        ("launch.ball_speed", "160 mph"),
+        ("launch.launch_angle", "12 deg"),
+        ("launch.backspin", "2500 rpm"),
+    ];
+    launched.set_all(conditions).unwrap();
+    assert_eq!(
+        remark(&launched, "spin"),
+        "the club strikes the ball, or launch.backspin is given"
+    );
+}
+
 /// A setup equals the setup that is read from its file. The file has the time step only if the
 /// setup states one.
 #[test]
