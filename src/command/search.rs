@@ -110,8 +110,8 @@ impl SearchArgs {
         Ok(SearchRanges::longest_drive(request, request.partial_setup)?.reason())
     }
 
-    /// The objective and its sense. Without an option, `default` is maximized. `read` takes the name
-    /// and the value of an option, and returns the objective.
+    /// The objective and its sense. Without an option, `default` is maximized. `read` takes the
+    /// name and the value of an option, and returns the objective.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for two objectives, and the errors of `read`.

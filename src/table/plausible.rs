@@ -83,9 +83,9 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
     ))
 }
 
-/// Plausible range of each outcome in SI, in the order of [`Outcome::OF_DRIVES`]; `None` for an outcome
-/// without such a range. A bound that is itself plausible is moved outwards by the rounding of a
-/// unit conversion.
+/// Plausible range of each outcome in SI, in the order of [`Outcome::OF_DRIVES`]; `None` for an
+/// outcome without such a range. A bound that is itself plausible is moved outwards by the rounding
+/// of a unit conversion.
 static IN_SI: LazyLock<Vec<Option<[f64; 2]>>> = LazyLock::new(|| {
     let in_si = |of: &Outcome| {
         let plausible = of.instrument()?.plausible?;

@@ -284,7 +284,7 @@ fn impossible_ranges_are_refused_by_the_name_of_the_parameter() {
     );
 }
 
-/// With other weather, density and viscosity are not given; with backspin, no club strikes the ball.
+/// With other weather, density and viscosity are not given; with backspin, no club strikes a ball.
 #[test]
 fn exact_remark_of_an_unset_value_beside_values_that_replace_it() {
     let remark = |setup: &Setup<f64>, name: &str| {
