@@ -3,7 +3,7 @@
 
 use crate::command_line::WHOLE;
 use crate::command_line::{json, longdrive, number, on_one_line};
-use crate::common::panic_of;
+use crate::common::{LARGE_STEPS, panic_of};
 use crate::random::Random;
 use longdrive::derivative::{Order, evaluate};
 use longdrive::launch::Launch;
@@ -28,9 +28,10 @@ fn truth() -> Setup<f64> {
             ("aero.law", "linear"),
             ("aero.cd", "0.27"),
             ("aero.cl_slope", "1.3"),
-            ("flight.step", "0.02 s"),
         ])
         .unwrap();
+    // large steps save time; the shots are flown with them, too
+    setup.set_all(LARGE_STEPS).unwrap();
     setup
 }
 
@@ -1072,7 +1073,11 @@ fn iterations_of_several_searches_name_their_search() {
 /// searches do not count as ended.
 #[test]
 fn an_interrupted_calibration_from_many_starts_names_its_best_fit() {
-    let setup = elsewhere();
+    let mut setup = elsewhere();
+    // small steps, so that the interrupt comes while some searches still run
+    setup
+        .set_all([("flight.method", "rk4"), ("flight.step", "20 ms")])
+        .unwrap();
     let text = shots(&mut Random::seeded(11), 1.0);
     let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
     let plan = FitPlan {

@@ -64,7 +64,7 @@ pub fn written(args: &[&str]) -> Written {
     let read = |path: PathBuf| {
         (
             path.file_name().unwrap().to_str().unwrap().to_owned(),
-            std::fs::read_to_string(&path).unwrap(),
+            String::from_utf8_lossy(&std::fs::read(&path).unwrap()).into_owned(),
         )
     };
     let files = entries.map(|entry| read(entry.unwrap().path())).collect();

@@ -10,8 +10,8 @@ use std::process::{Child, Command, Stdio};
 use std::sync::Arc;
 use std::sync::OnceLock;
 
-/// Some sixty thousand drives in coarse steps, which take half a second. Their many columns fill
-/// three row groups. Some drives do not fly.
+/// Some sixty thousand drives in coarse steps. Their many columns fill three row groups. Some
+/// drives do not fly.
 fn many() -> Vec<&'static str> {
     let over = [
         "--over",
@@ -234,7 +234,7 @@ fn refused_with_another_c_library(many: &[&str], part: &Path) {
     fs::write(journal(part), own).unwrap();
 }
 
-/// Number of rows of a file, all of them complete.
+/// Number of rows of a file, the last of them complete.
 fn readable(path: &Path, format: &str) -> usize {
     match format {
         "csv" => {
@@ -252,9 +252,12 @@ fn readable(path: &Path, format: &str) -> usize {
         "jsonl" => {
             let text = fs::read_to_string(path).unwrap();
             assert!(text.is_empty() || text.ends_with('\n'));
-            text.lines()
-                .filter(|line| serde_json::from_str::<serde_json::Value>(line).is_ok())
-                .count()
+            let lines: Vec<&str> = text.lines().collect();
+            // parsing all of them without optimization would take most of the test's time
+            for line in lines.iter().step_by(1000).chain(lines.last()) {
+                serde_json::from_str::<serde_json::Value>(line).unwrap();
+            }
+            lines.len()
         }
         #[cfg(feature = "full")]
         "parquet" => {

@@ -90,21 +90,21 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
         true
     };
     // both methods, in large steps: the shares add up for the drives as integrated
-    for steps in [
-        LARGE_STEPS,
-        [("flight.method", "rk4"), ("flight.step", "100 ms")],
+    for (steps, count) in [
+        (LARGE_STEPS, 10),
+        ([("flight.method", "rk4"), ("flight.step", "100 ms")], 4),
     ] {
         let flies = |setup: &Setup<f64>| {
             Drive::new(setup).is_ok_and(|drive| Outcome::Carry.value(&drive).is_some())
         };
-        let setups: Vec<_> = random_setups(10)
+        let setups: Vec<_> = random_setups(count)
             .map(|setup| changed(&setup, &steps))
             .filter(flies)
             .collect();
         let pairs: Vec<_> = setups.windows(2).map(|pair| [pair[0], pair[1]]).collect();
         let compared = in_parallel(&pairs, is_compared);
         let compared = compared.iter().filter(|is_compared| **is_compared).count();
-        assert!(compared >= 5, "{compared} pairs");
+        assert!(2 * compared >= count as usize, "{compared} pairs");
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::command_line::{longdrive, on_one_line};
 use crate::common::close;
+use crate::pages::DEFAULT_REPORT;
 use crate::report::{polylines, whole};
 use longdrive::batch::Batch;
 use longdrive::optimize::Observer;
@@ -661,12 +662,7 @@ fn a_straight_drive_has_no_view_from_above() {
         output.err
     );
     assert!(!std::path::Path::new(&file).exists());
-    let page = folder.path().join("page");
-    assert_eq!(
-        longdrive(&["report", "-o", &page.display().to_string()]).status,
-        0
-    );
-    let page = std::fs::read_to_string(page.join("index.html")).unwrap();
+    let page = DEFAULT_REPORT.file("index.html");
     assert!(
         page.contains("from above these drives are straight") && !page.contains("trajectory-top")
     );

@@ -128,7 +128,7 @@ fn a_report_that_cannot_be_written_leaves_no_folder() {
     let output = std::process::Command::new("sh")
         .args(["-c", "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\""])
         .arg(program::path())
-        .args(["reproduce", "winfield-tan", "-q", "-o"])
+        .args(["report", "--loft=10deg", "--attack=-1deg", "-q", "-o"])
         .arg(&to)
         .output()
         .unwrap();

@@ -1,11 +1,17 @@
 //! HTML pages that commands write: the answer precedes the arguments, and all pages have one
 //! layout.
 
-use crate::command_line::{Written, json, longdrive, number};
+use crate::command_line::{Written, json, longdrive, number, written};
 use crate::program;
 use crate::reproduce::{PAPER_WRITTEN, REPORT};
 use crate::validation::VALIDATED;
 use std::path::Path;
+use std::sync::LazyLock;
+
+/// The exit status and the page of a command that has written a folder.
+fn first_page(written: &Written) -> (i32, String) {
+    (written.output.status, written.file("index.html").to_owned())
+}
 
 /// Exit status of a command that writes a page, and the text of the page.
 fn page(folder: &tempfile::TempDir, args: &[&str]) -> (i32, String) {
@@ -23,7 +29,13 @@ fn page(folder: &tempfile::TempDir, args: &[&str]) -> (i32, String) {
     )
 }
 
+/// Output and files of the report of the default drive.
+pub static DEFAULT_REPORT: LazyLock<Written> = LazyLock::new(|| written(&["report"]));
+
 fn report(args: &[&str]) -> (i32, String) {
+    if args.is_empty() {
+        return first_page(&DEFAULT_REPORT);
+    }
     page(&tempfile::tempdir().unwrap(), &[&["report"], args].concat())
 }
 
@@ -701,12 +713,11 @@ fn all_pages_have_one_frame() {
         vec!["validate", "--units", "metric"],
         [&["calibrate", &shots, "modern-driver"], &fit[..]].concat(),
     ] {
-        let once =
-            |written: &Written| (written.output.status, written.file("index.html").to_owned());
         let (status, page) = match requested[..] {
-            ["reproduce", "mae494"] => once(&REPORT),
-            ["reproduce", "winfield-tan"] => once(&PAPER_WRITTEN),
-            ["validate", "--units", "metric"] => once(&VALIDATED),
+            ["report"] => first_page(&DEFAULT_REPORT),
+            ["reproduce", "mae494"] => first_page(&REPORT),
+            ["reproduce", "winfield-tan"] => first_page(&PAPER_WRITTEN),
+            ["validate", "--units", "metric"] => first_page(&VALIDATED),
             _ => page(&folder, &requested),
         };
         assert_eq!(status, 0, "{requested:?}");

@@ -621,22 +621,6 @@ fn a_stated_uncertainty_without_an_effect_has_a_row() {
     assert!(found.to_string().contains("ground.friction"));
 }
 
-/// The summary in the terminal has a column for the user's table of drag and lift.
-#[test]
-fn a_table_of_ones_own_is_in_the_summary_of_a_validation() {
-    let folder = tempfile::tempdir().unwrap();
-    let table = file_with(
-        folder.path(),
-        "mine.csv",
-        "spin_ratio,cd,cl\n0.05,0.22,0.08\n0.1,0.24,0.13\n0.2,0.27,0.2\n0.3,0.3,0.25\n",
-    );
-    let set = format!("aero.table={table}");
-    let own = longdrive(&["validate", "--set", &set]);
-    assert_eq!(own.status, 0, "{}", own.err);
-    assert!(own.out.contains("your table"), "{}", own.out);
-    assert!(!longdrive(&["validate"]).out.contains("your table"));
-}
-
 /// A column `strokes gained` is not read as the column `strokes`. Two columns of this name are an
 /// error.
 #[test]

@@ -132,7 +132,7 @@ fn searched(setup: &Setup<f64>, goals: &[String], scenarios: Scenarios) -> Optim
 /// The intervals of the error estimates contain the true value for at least 95 % of 117 generated
 /// goals, and are small compared with the scatter of the outcome. One to five parameters vary, by
 /// Gauss's rules or by sequences. The true value is computed by a rule with 2.5 times as many
-/// nodes, or from 65,536 other swings if a goal has an edge or if the rule is a sequence.
+/// nodes, or from 16,384 other swings if a goal has an edge or if the rule is a sequence.
 #[test]
 fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
     let mut random = Random::seeded(51);
@@ -205,7 +205,7 @@ fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
             )
         };
         let of_sequence = flown(Rule::Sequence {
-            count: 1 << 16,
+            count: 1 << 14,
             seed: 987_654,
         });
         let of_nodes = match scenarios.rule {

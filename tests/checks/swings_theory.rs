@@ -24,7 +24,7 @@ fn differences_certify_every_goal_and_their_weighted_sum() {
             "swing.speed=normal(110 mph, 2 mph)",
         ],
     );
-    let scenarios = Scenarios::new(&all, Rule::Quadrature(4)).unwrap();
+    let scenarios = Scenarios::new(&all, Rule::Quadrature(3)).unwrap();
     let strokes = Strokes::new(
         &[
             (0.0, 1.0),

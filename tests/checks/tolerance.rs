@@ -187,7 +187,7 @@ fn within_a_micrometre(
     parts: &[f64; 2],
     errors: impl Fn(&Setup<f64>, &[Vary]) -> Option<Errors> + Sync,
 ) {
-    let sweeps = std::env::var("LONGDRIVE_SWEEPS").map_or(50, |text| text.parse().unwrap());
+    let sweeps = std::env::var("LONGDRIVE_SWEEPS").map_or(20, |text| text.parse().unwrap());
     let setups: Vec<_> = random_setups(sweeps).collect();
     let look = |(n, setup): (usize, &Setup<f64>)| {
         let ranges = random_ranges(n, setup, parts[n / 4 % 2]);
