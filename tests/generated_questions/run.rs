@@ -76,7 +76,7 @@ fn wait(child: &mut Child) -> Option<ExitStatus> {
             return Some(status);
         }
         std::thread::sleep(pause);
-        pause = (2 * pause).min(Duration::from_millis(20));
+        pause = (2 * pause).min(Duration::from_millis(2));
     }
     let _ = child.kill();
     let _ = child.wait();

@@ -207,8 +207,13 @@ mod tests {
             let slope = qp.rows.iter().fold(DVector::zeros(d.len()), |sum, row| {
                 sum + &row.normal * row.excess(&d)
             });
-            d -= slope * step;
-            d = DVector::from_fn(d.len(), |i, _| d[i].clamp(qp.low[i], qp.high[i]));
+            let moved = &d - slope * step;
+            let next = DVector::from_fn(d.len(), |i, _| moved[i].clamp(qp.low[i], qp.high[i]));
+            // a fixed point is the minimum, because the violation is convex
+            if next == d {
+                break;
+            }
+            d = next;
         }
         qp.violation(&d)
     }
