@@ -140,15 +140,12 @@ impl Host for Caller {
     }
 
     fn say(&self, kind: MessageKind, text: &str) {
-        let kind = match kind {
-            MessageKind::Note => "note",
-            MessageKind::Warning => "warning",
-            // drop the message: the answer contains the errors in the arguments already, without
-            // colours
-            MessageKind::Usage => return,
-            MessageKind::Error => "error",
-        };
-        lock(&self.state).messages.push((kind, text.to_owned()));
+        // the answer contains the errors in the arguments already, without colours
+        if kind == MessageKind::Usage {
+            return;
+        }
+        let message = (kind.name(), text.to_owned());
+        lock(&self.state).messages.push(message);
     }
 
     /// Always true: the level of Python's log selects the messages.

@@ -1,6 +1,7 @@
 //! Colours of status words. Only terminals show them; `NO_COLOR`, `TERM=dumb` and a pipe turn them
 //! off.
 
+use super::host::MessageKind;
 use super::width;
 use crate::report::remark;
 use anstream::{AutoStream, ColorChoice};
@@ -45,18 +46,16 @@ pub fn print(text: &str) -> io::Result<()> {
 
 /// Prints a message to standard error. "warning: …" is wrapped to the width of the terminal;
 /// "error: …" keeps its lines, which may point at a place in a file or an expression.
-pub fn say(kind: &str, message: &str) {
+pub fn say(kind: MessageKind, message: &str) {
+    let text = format!("{kind}: {message}");
     let (style, text) = match kind {
-        "error" => (BAD, format!("{kind}: {message}")),
-        _ => (
-            DOUBTFUL,
-            remark(&format!("{kind}: {message}"), width::of_messages()),
-        ),
+        MessageKind::Error => (BAD, text),
+        _ => (DOUBTFUL, remark(&text, width::of_messages())),
     };
     let _ = writeln!(
         anstream::stderr().lock(),
         "{style}{kind}:{style:#}{}",
-        &text[kind.len() + 1..]
+        &text[kind.name().len() + 1..]
     );
 }
 

@@ -19,6 +19,16 @@ pub enum MessageKind {
     Usage,
 }
 
+variant_names! {
+    /// The word before the text of a message, such as "warning".
+    MessageKind {
+        Note = "note",
+        Warning = "warning",
+        Error = "error",
+        Usage = "usage",
+    }
+}
+
 /// The caller of a command: a terminal, or a program that embeds the library. A command calls the
 /// host from its own thread; worker threads also report progress to it.
 pub trait Host: Send + Sync {

@@ -132,8 +132,7 @@ impl Host for Terminal {
                     remark(text, width::of_messages())
                 );
             }
-            MessageKind::Warning => colour::say("warning", text),
-            MessageKind::Error => colour::say("error", text),
+            MessageKind::Warning | MessageKind::Error => colour::say(kind, text),
             // ignore an error, such as a broken pipe
             MessageKind::Usage => {
                 let _ = write!(anstream::stderr().lock(), "{text}");

@@ -174,12 +174,7 @@ impl Host for Page {
     }
 
     fn say(&self, kind: MessageKind, text: &str) {
-        let kind = match kind {
-            MessageKind::Note => "note",
-            MessageKind::Warning => "warning",
-            MessageKind::Error => "error",
-            MessageKind::Usage => "usage",
-        };
+        let kind = kind.name();
         let text = plain(text);
         self.state().said.push(ShownMessage { kind, text });
     }
