@@ -2,6 +2,7 @@
 
 use super::decimal_mark::DecimalMark;
 use super::heads::{AIR, Meaning, rest_of_head};
+use super::label::Label;
 use super::launch_monitor;
 use super::numbers;
 use super::numbers::{CellSide, cell_number, unwrapped};
@@ -53,6 +54,8 @@ pub(crate) struct Column {
     pub positive_side: Option<CellSide>,
     /// True if cells describe the weather by a text; the air density is computed from it.
     pub is_weather: bool,
+    /// Kind of the labels in its cells, if the column of an export says which shot a row is.
+    pub(super) label: Option<Label>,
 }
 
 /// Format of a table. The default is the format of a table in SI.
@@ -217,6 +220,7 @@ impl Column {
             is_unit_assumed: false,
             positive_side: None,
             is_weather: false,
+            label: None,
         }
     }
 

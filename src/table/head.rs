@@ -10,7 +10,7 @@ use super::export_columns::{
 use super::launch_monitor::{is_export, split_unit, units_row, words};
 use super::maker::maker;
 use super::records::Record;
-use super::row_fault::{RowFault, ShotLabels, miscounted};
+use super::row_fault::{RowFault, find_labels, miscounted};
 use super::sign_conventions::{turn_spins, turned_remark};
 use super::table_use::TableUse;
 use crate::drive::Outcome;
@@ -48,8 +48,6 @@ pub(crate) struct TableHead {
     pub maker: Option<&'static str>,
     /// Remark on columns whose positive values are to the left.
     pub turned: Option<String>,
-    /// The columns that say which shot a row is; `None` for a table that is no export.
-    pub labels: Option<ShotLabels>,
     /// Indices of the columns that an earlier run of `fly` added: line, flight status, reason,
     /// notes, then outcomes. Empty without such columns.
     pub flown: Range<usize>,
@@ -119,7 +117,7 @@ impl TableHead {
     /// that are not used, and assumes missing units.
     fn interpret_export(&mut self, setup: &Setup<f64>, table_use: TableUse) {
         self.maker = maker(&self.heads);
-        self.labels = Some(ShotLabels::find(&self.columns, &self.rows));
+        find_labels(&mut self.columns, &self.rows);
         let turned = turn_spins(self.maker, &mut self.columns, &self.rows);
         if table_use.has_air_of_rows() {
             weather_of_rows(setup, &mut self.columns, &self.rows);
@@ -242,9 +240,12 @@ impl TableHead {
         if let Some(refusal) = record.unclosed() {
             return Some(RowFault::Unreadable(refusal));
         }
-        let labels = self.labels.as_ref();
-        let no_shot = labels.and_then(|labels| RowFault::of_export(row, &self.columns, labels));
-        no_shot.or_else(|| miscounted(row, self.columns.len()).map(RowFault::Unreadable))
+        if self.format.is_export
+            && let Some(no_shot) = RowFault::of_export(row, &self.columns)
+        {
+            return Some(no_shot);
+        }
+        miscounted(row, self.columns.len()).map(RowFault::Unreadable)
     }
 
     /// True if a column is a parameter of swing, strike, club or impact.

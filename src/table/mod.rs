@@ -12,6 +12,7 @@ mod encoding;
 mod export_columns;
 mod head;
 mod heads;
+mod label;
 mod launch_monitor;
 mod maker;
 mod numbers;
