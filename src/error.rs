@@ -376,6 +376,20 @@ impl Error {
         }
     }
 
+    /// The error for a table that cannot be read. `place` follows the name of the file in the
+    /// message: ", row 3, column club.loft"; it is empty for the whole file.
+    pub(crate) fn table(
+        file: impl Into<String>,
+        place: impl Into<String>,
+        reason: impl Into<String>,
+    ) -> Self {
+        Self::Table {
+            file: file.into(),
+            place: place.into(),
+            reason: reason.into(),
+        }
+    }
+
     /// The error for a name that is not among `names`. It suggests the most similar of them, or
     /// lists the names of a group such as `wind`.
     pub fn unknown<'a>(

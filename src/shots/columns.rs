@@ -1,7 +1,7 @@
 //! Meaning of the columns of an export.
 
 use super::shot::{Club, Origin};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::parameters::{Golfer, Parameter};
 use crate::table::{
     Column, Content, TableHead, TextTable, air_of_rows, assume_unit, club_column, columns_remark,
@@ -59,12 +59,13 @@ impl ShotColumns {
         };
         let name = &table.name;
         for at in 0..found.head.columns.len() {
-            found
-                .add(at)
-                .map_err(|error| name.refused(format!(", column {}", at + 1), error.to_string()))?;
+            found.add(at).map_err(|error| {
+                let place = format!(", column {}", at + 1);
+                Error::table(name, place, error.to_string())
+            })?;
         }
         if let Some(reason) = found.why_no_launch() {
-            return Err(name.refused(String::new(), reason));
+            return Err(Error::table(name, "", reason));
         }
         found.find_descriptions();
         found.remarks = found.head.column_remarks();

@@ -7,11 +7,11 @@ use super::shot::Shot;
 use super::written;
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    Column, Content, Record, RowFilter, SourceName, TableEntry, TableUse, Text, TextTable,
-    air_replaced, remark_from_line,
+    Column, Content, Record, RowFilter, TableEntry, TableUse, Text, TextTable, air_replaced,
+    remark_from_line, unreadable_text,
 };
 use crate::units::Message;
 use std::collections::VecDeque;
@@ -42,7 +42,8 @@ pub(super) enum UnreadRows {
 
 /// The JSON objects of a text.
 pub(super) struct JsonRecords {
-    name: SourceName,
+    /// Name of the file, for messages.
+    name: String,
     source: Box<dyn Read + Send>,
     objects: Objects,
     buffer: Vec<u8>,
@@ -92,7 +93,7 @@ impl Shots {
     /// other air.
     ///
     /// # Errors
-    /// The errors of [`read`](Self::read), and [`Error::Table`](crate::Error::Table) if the file
+    /// The errors of [`read`](Self::read), and [`Error::Table`] if the file
     /// cannot be opened, or if it is not a table and `filter` is not empty. If the filter selects
     /// no row, reading fails after the last row.
     pub fn open(
@@ -114,7 +115,7 @@ impl Shots {
     /// Reads CSV with column heads, or JSON, in UTF-8, UTF-16 or Windows-1252.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) if the text is unreadable or empty, if a launch column
+    /// [`Error::Table`] if the text is unreadable or empty, if a launch column
     /// is missing, if a column is unknown, or if a unit has the wrong dimension.
     pub fn read(
         setup: &Setup<f64>,
@@ -133,7 +134,7 @@ impl Shots {
             if !text.filter.is_empty() {
                 let reason = "`only` selects rows of a table by a column, but these are JSON \
                      messages; leave out `only`";
-                return Err(text.name.refused(String::new(), reason));
+                return Err(Error::table(text.name, "", reason));
             }
             let is_written = written::begins(&text.beginning);
             let is_air_given = text.is_air_given;
@@ -306,9 +307,8 @@ impl TableRows {
                 "its column heads lack {missing}, which the first section has; give all sections \
                  the same columns, or put them in separate files"
             );
-            self.table
-                .name
-                .refused(format!(", line {}", record.line), reason)
+            let place = format!(", line {}", record.line);
+            Error::table(&self.table.name, place, reason)
         })?;
         for &parameter in &columns.other_parameters[self.first_parameters.len()..] {
             if !self.later_parameters.contains(&parameter) {
@@ -388,7 +388,8 @@ impl JsonRecords {
             if let Some(record) = self.objects.next_record() {
                 return Ok(Some(record));
             }
-            let count = self.name.io(self.source.read(&mut self.buffer))?;
+            let count = self.source.read(&mut self.buffer);
+            let count = count.map_err(|error| unreadable_text(&self.name, &error))?;
             if count > 0 {
                 self.objects.push(&self.buffer[..count]);
             } else if self.objects.is_incomplete() {

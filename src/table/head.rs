@@ -338,11 +338,7 @@ fn column_error(faults: Vec<(usize, Error)>, advice: &str, file: &str) -> Option
             unknown.push(format!("'{name}'{near}"));
         }
     }
-    let refused = |place: String, reason: String| Error::Table {
-        file: file.into(),
-        place,
-        reason,
-    };
+    let refused = |place: String, reason: String| Error::table(file, place, reason);
     if unknown.len() > 1 {
         return Some(refused(
             format!(", columns {}", numbers.join(", ")),

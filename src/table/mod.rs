@@ -53,7 +53,7 @@ pub(crate) use row_fault::{NonShotRows, RowFault};
 pub use row_filter::RowFilter;
 pub(crate) use row_filter::{club_column, counted_values};
 pub(crate) use table_use::TableUse;
-pub(crate) use text::{SourceName, TableEntry, Text, TextTable};
+pub(crate) use text::{TableEntry, Text, TextTable, unreadable_text};
 
 use crate::drive::Outcome;
 

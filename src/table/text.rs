@@ -33,32 +33,20 @@ const MOST_RECORDS: usize = 25;
 /// Remark on the encoding.
 const IN_WINDOWS_1252: &str = "its text is not in UTF-8, and is read as Windows-1252";
 
-/// Name of the file, for messages.
-#[derive(Clone, Debug)]
-pub(crate) struct SourceName(pub String);
+/// The error for a text that cannot be read because of an error of the system.
+pub(crate) fn unreadable_text(file: &str, error: &io::Error) -> Error {
+    Error::table(file, "", read_error_text(error))
+}
 
-impl SourceName {
-    pub fn refused(&self, place: String, reason: impl Into<String>) -> Error {
-        Error::Table {
-            file: self.0.clone(),
-            place,
-            reason: reason.into(),
-        }
-    }
-
-    fn empty(&self) -> Error {
-        let reason = "it is empty; give a head with the names of columns, and rows below it";
-        self.refused(String::new(), reason)
-    }
-
-    pub fn io<T>(&self, result: io::Result<T>) -> Result<T> {
-        result.map_err(|error| self.refused(String::new(), read_error_text(&error)))
-    }
+fn empty_table(file: &str) -> Error {
+    let reason = "it is empty; give a head with the names of columns, and rows below it";
+    Error::table(file, "", reason)
 }
 
 /// A text whose format (table or JSON) is not yet known.
 pub(crate) struct Text {
-    pub name: SourceName,
+    /// Name of the file, for messages.
+    pub name: String,
     /// The first 64 KiB.
     pub beginning: String,
     /// The whole text, including `beginning`, in UTF-8 or Windows-1252.
@@ -74,17 +62,18 @@ impl Text {
     /// Opens a text in UTF-8, UTF-16 or Windows-1252, with or without byte-order marks.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) if the source cannot be read.
+    /// [`Error::Table`] if the source cannot be read.
     pub fn open(name: &str, source: impl Read + Send + 'static) -> Result<Self> {
-        let name = SourceName(name.into());
-        let mut source = name.io(decoded(source))?;
+        let unreadable = |error: io::Error| unreadable_text(name, &error);
+        let mut source = decoded(source).map_err(unreadable)?;
         let mut bytes = vec![];
-        name.io((&mut source).take(BEGINNING).read_to_end(&mut bytes))?;
+        let mut beginning = (&mut source).take(BEGINNING);
+        beginning.read_to_end(&mut bytes).map_err(unreadable)?;
         let encoding = Encoding::of(&bytes);
         let beginning = encoding.lossy(&bytes);
         let source = Box::new(Cursor::new(bytes).chain(source));
         Ok(Self {
-            name,
+            name: name.into(),
             beginning,
             source,
             encoding,
@@ -96,13 +85,13 @@ impl Text {
     /// Opens a file.
     ///
     /// # Errors
-    /// The errors of [`open`](Self::open), and [`Error::Table`](crate::Error::Table) if there is no
+    /// The errors of [`open`](Self::open), and [`Error::Table`] if there is no
     /// such file.
     pub fn of_file(path: &Path) -> Result<Self> {
-        let name = SourceName(path.display().to_string());
+        let name = path.display().to_string();
         // a folder can be opened; the error appears when `Self::open` reads it
-        let file = name.io(InputFile::open(path))?;
-        Self::open(&name.0, file)
+        let file = InputFile::open(path).map_err(|error| unreadable_text(&name, &error))?;
+        Self::open(&name, file)
     }
 }
 
@@ -118,7 +107,8 @@ pub(crate) enum TableEntry {
 
 /// Streaming reader of a text table.
 pub(crate) struct TextTable {
-    pub name: SourceName,
+    /// Name of the file, for messages.
+    pub name: String,
     lines: Lines,
     /// The only filled cell of the record above the first column heads, such as the name of a club.
     pub title: Option<String>,
@@ -142,7 +132,7 @@ impl TextTable {
     /// Opens a table and reads its first line of column heads.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) if the source cannot be read, if the table is empty,
+    /// [`Error::Table`] if the source cannot be read, if the table is empty,
     /// if a quote in the column heads is not closed, or if a column is unknown.
     pub fn open(text: Text, setup: &Setup<f64>, table_use: TableUse) -> Result<(Self, TableHead)> {
         let Text {
@@ -154,7 +144,7 @@ impl TextTable {
             is_air_given,
         } = text;
         let Some(place) = HeadPlace::find(&beginning) else {
-            return Err(name.empty());
+            return Err(empty_table(&name));
         };
         let lines = Lines::new(
             Box::new(BufReader::with_capacity(PIECE, source)),
@@ -175,14 +165,15 @@ impl TextTable {
             table_use,
             is_air_given,
         };
-        while let Some(line) = table.name.io(table.lines.line())? {
+        let unreadable = |error| unreadable_text(&table.name, &error);
+        while let Some(line) = table.lines.line().map_err(unreadable)? {
             if line.0 >= place.line {
                 table.lines.give_back(line);
                 break;
             }
         }
         let Some(record) = table.record()? else {
-            return Err(table.name.empty());
+            return Err(empty_table(&table.name));
         };
         let mut head = table.head(&record)?;
         table.has_sections = head.format.is_export;
@@ -211,7 +202,7 @@ impl TextTable {
     /// Reads a line of column heads and the line of units below it.
     fn head(&mut self, record: &Record) -> Result<TableHead> {
         if let Some(refusal) = record.unclosed() {
-            return Err(self.name.refused(String::new(), refusal.reason));
+            return Err(Error::table(&self.name, "", refusal.reason));
         }
         let heads: Vec<String> = self
             .cells(record)
@@ -221,12 +212,12 @@ impl TextTable {
         let place = || format!(", line {}", record.line);
         self.filter
             .begin(&heads)
-            .map_err(|reason| self.name.refused(place(), reason))?;
+            .map_err(|reason| Error::table(&self.name, place(), reason))?;
         // in an export, `#1` is a shot number
         self.lines.has_remarks = !is_export(heads.iter().map(String::as_str));
         let below = self.record()?;
         let first = below.as_ref().map(|below| self.cells(below));
-        let file = &self.name.0;
+        let file = &self.name;
         let (setup, table_use) = (&self.setup, self.table_use);
         let mut head = TableHead::read(setup, heads, first, self.separator, table_use, file)?;
         if head.units.is_none()
@@ -252,13 +243,13 @@ impl TextTable {
     /// The next row or line of column heads; `None` at the end.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) if the source cannot be read, if a line is not text or
+    /// [`Error::Table`] if the source cannot be read, if a line is not text or
     /// is too long, or, at the end, if the filter selected no row.
     pub fn next_entry(&mut self) -> Result<Option<TableEntry>> {
         let Some(record) = self.record()? else {
             self.filter
                 .finish()
-                .map_err(|reason| self.name.refused(String::new(), reason))?;
+                .map_err(|reason| Error::table(&self.name, "", reason))?;
             return Ok(None);
         };
         if self.has_sections && is_head(&record.text, self.separator) {
@@ -286,7 +277,8 @@ impl TextTable {
     }
 
     fn record(&mut self) -> Result<Option<Record>> {
-        self.name.io(self.lines.record(self.separator))
+        let record = self.lines.record(self.separator);
+        record.map_err(|error| unreadable_text(&self.name, &error))
     }
 
     fn cells(&self, record: &Record) -> Vec<String> {

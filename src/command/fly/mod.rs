@@ -136,11 +136,8 @@ fn refuse_no_rows(tally: &ShotStatistics, file: &Path) -> Result<()> {
     if tally.rows > 0 {
         return Ok(());
     }
-    Err(Error::Table {
-        file: file.display().to_string(),
-        place: String::new(),
-        reason: "it has no rows; give a row for each shot".into(),
-    })
+    let reason = "it has no rows; give a row for each shot";
+    Err(Error::table(file.display().to_string(), "", reason))
 }
 
 /// Remarks on measured outcomes that are not compared, with advice.

@@ -21,12 +21,8 @@ impl SweepRequest {
         let shown = table.map_or("`over`".into(), |table| table.display().to_string());
         note_each(shown, &points.notes());
         if let (Some(table), 0) = (&args.points, points.rows()) {
-            let reason = "it has a head and no rows; give a row for each drive".into();
-            return Err(Error::Table {
-                file: table.display().to_string(),
-                place: String::new(),
-                reason,
-            });
+            let reason = "it has a head and no rows; give a row for each drive";
+            return Err(Error::table(table.display().to_string(), "", reason));
         }
         request.refuse_columns(
             points.parameters(),

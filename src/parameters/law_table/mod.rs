@@ -52,11 +52,7 @@ impl LawTable {
     /// [`Error::Table`], with line and advice, if the file cannot be read or is not such a table.
     pub fn open(path: &Path) -> Result<&'static Self> {
         let file = path.display().to_string();
-        let refuse = |fault: TableFault| Error::Table {
-            file: file.clone(),
-            place: fault.place,
-            reason: fault.reason,
-        };
+        let refuse = |fault: TableFault| Error::table(&file, fault.place, fault.reason);
         let text = InputFile::read_to_string(path)
             .map_err(|error| refuse(TableFault::of_file(read_error_text(&error))))?;
         let nodes = read::nodes(&text).map_err(refuse)?;

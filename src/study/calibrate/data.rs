@@ -3,10 +3,10 @@
 use super::reading::Reading;
 use super::rows::ShotRows;
 use super::shot_table::ShotTable;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::parameters::Setup;
 use crate::shots::{Shots, is_json};
-use crate::table::{RowFilter, SourceName, TableEntry, TableUse, Text, TextTable};
+use crate::table::{RowFilter, TableEntry, TableUse, Text, TextTable, unreadable_text};
 use std::io::{Cursor, Read};
 use std::path::Path;
 
@@ -16,7 +16,7 @@ impl ShotTable {
     /// air.
     ///
     /// # Errors
-    /// The errors of [`read`](Self::read), and [`Error::Table`](crate::Error::Table) if `filter`
+    /// The errors of [`read`](Self::read), and [`Error::Table`] if `filter`
     /// selects no row or names a column that the table does not have.
     pub fn open(
         setup: &Setup<f64>,
@@ -49,19 +49,20 @@ impl ShotTable {
     /// ignored too, and physically impossible measured values are not compared.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) with row and column for an unknown column, a wrong
+    /// [`Error::Table`] with row and column for an unknown column, a wrong
     /// unit, a cell that is not a number, an uncertain decimal mark, a sigma ≤ 0, a value
     /// outside its range, and a table without rows.
     pub fn read(setup: &Setup<f64>, file: &str, mut source: impl Read) -> Result<Self> {
         let mut bytes = vec![];
-        SourceName(file.into()).io(source.read_to_end(&mut bytes))?;
+        let read = source.read_to_end(&mut bytes);
+        read.map_err(|error| unreadable_text(file, &error))?;
         let text = Text::open(file, Cursor::new(bytes))?;
         Self::read_rows(setup, text, TableUse::Measurements)
     }
 
     /// Reads CSV text. For deliveries, a row needs no measurement other than its launch.
     fn read_rows(setup: &Setup<f64>, text: Text, table_use: TableUse) -> Result<Self> {
-        let file = text.name.0.clone();
+        let file = text.name.clone();
         if is_json(&text.beginning) {
             let shots = Shots::of_text(setup, text)?;
             return Self::of_messages(setup, shots, &file, table_use);
@@ -84,9 +85,8 @@ impl ShotTable {
                         let reason = "launches and deliveries are mixed: the rows of this section \
                                       are of another kind than the rows before it; use a separate \
                                       file for each kind";
-                        return Err(table
-                            .name
-                            .refused(format!(", line {}", record.line), reason));
+                        let place = format!(", line {}", record.line);
+                        return Err(Error::table(&table.name, place, reason));
                     }
                     rows.begin(Some(record.line), &reading);
                 }

@@ -113,7 +113,7 @@ impl Reading {
         let TextTable {
             setup, table_use, ..
         } = *table;
-        let refused = |place: String, reason: String| table.name.refused(place, reason);
+        let refused = |place: String, reason: String| Error::table(&table.name, place, reason);
         let is_export = head.format.is_export;
         let mut remarks = head.column_remarks();
         if !is_export && table_use == TableUse::Deliveries {

@@ -73,11 +73,7 @@ impl ShotRows {
     }
 
     fn refused(&self, place: &str, reason: String) -> Error {
-        Error::Table {
-            file: self.file.clone(),
-            place: format!(", row {}{place}", self.row),
-            reason,
-        }
+        Error::table(&self.file, format!(", row {}{place}", self.row), reason)
     }
 
     /// Begins a section of the table. `line` is the line of its column heads; `None` for the first
@@ -383,17 +379,13 @@ impl ShotRows {
             return first;
         }
         let reason = match left_out.is_empty() {
-            true => "it has no rows; give one row for each shot".into(),
+            true => "it has no rows; give one row for each shot".to_owned(),
             false => format!(
                 "it has no usable shot ({}); give a row for each shot",
                 left_out.join("; ")
             ),
         };
-        Error::Table {
-            file: self.file,
-            place: String::new(),
-            reason,
-        }
+        Error::table(self.file, "", reason)
     }
 
     /// Builds the table. `final_remarks` are the final remarks of the

@@ -49,11 +49,7 @@ impl Swings {
 
 fn recorded(setup: &Setup<f64>, table: &mut dyn Points, path: &Path) -> Result<Swings> {
     let parameters = table.parameters().to_vec();
-    let refuse = |reason: String| Error::Table {
-        file: path.display().to_string(),
-        place: String::new(),
-        reason,
-    };
+    let refuse = |reason: String| Error::table(path.display().to_string(), "", reason);
     if table.rows() > MOST_ROWS {
         let rows = table.rows();
         let reason = format!(

@@ -2,7 +2,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Taylor;
 use crate::parameters::{NumberTable, TableFault};
-use crate::table::Text;
+use crate::table::{Text, unreadable_text};
 use crate::units::Quantity;
 use csv::StringRecord;
 use std::io::Read;
@@ -78,8 +78,9 @@ impl Strokes {
             name, mut source, ..
         } = Text::of_file(path)?;
         let mut text = String::new();
-        name.io(source.read_to_string(&mut text))?;
-        let refused = |fault: TableFault| name.refused(fault.place, fault.reason);
+        let read = source.read_to_string(&mut text);
+        read.map_err(|error| unreadable_text(&name, &error))?;
+        let refused = |fault: TableFault| Error::table(&name, fault.place, fault.reason);
         let mut table = NumberTable::new(&text, "distance [yd]").map_err(refused)?;
         let of_file = |reason: String| refused(TableFault::of_file(reason));
         let distances = column(&table.heads, "distance").map_err(of_file)?;

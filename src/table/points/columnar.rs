@@ -1,8 +1,8 @@
 use super::columns::PointColumns;
 use super::rows::PointRows;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
-use crate::table::{SourceName, TableHead};
+use crate::table::TableHead;
 use std::ops::Range;
 use std::path::Path;
 
@@ -31,7 +31,8 @@ pub(super) trait ColumnarFile: Sized {
 
 /// Rows of a file read in pieces.
 pub(super) struct ColumnarRows<P> {
-    file: SourceName,
+    /// Name of the file, for messages.
+    file: String,
     columns: PointColumns,
     pieces: P,
     /// The unread rows of the current piece.
@@ -44,21 +45,21 @@ impl<P: ColumnarFile> ColumnarRows<P> {
     /// Opens a file and interprets its columns.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) if the file is unreadable or truncated, or if a column
+    /// [`Error::Table`] if the file is unreadable or truncated, or if a column
     /// is not a parameter, is repeated or is not numeric. Reading a row fails if a value is
     /// infinite, unless the parameter allows infinity.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        let file = SourceName(path.display().to_string());
-        let pieces = P::open(path).map_err(|reason| file.refused(String::new(), reason))?;
+        let file = path.display().to_string();
+        let pieces = P::open(path).map_err(|reason| Error::table(&file, "", reason))?;
         let names = pieces.names();
-        let mut head = TableHead::in_si(setup, &names, &file.0)?;
+        let mut head = TableHead::in_si(setup, &names, &file)?;
         let columns = PointColumns::new(setup, &file, &mut head)?;
         let refusal = columns
             .at
             .iter()
             .find_map(|at| Some((&names[*at], pieces.refusal(*at)?)));
         match refusal {
-            Some((name, reason)) => Err(file.refused(format!(", column {name}"), reason)),
+            Some((name, reason)) => Err(Error::table(file, format!(", column {name}"), reason)),
             None => Ok(Self {
                 file,
                 columns,
@@ -83,7 +84,7 @@ impl<P: ColumnarFile> PointRows for ColumnarRows<P> {
 
     fn read(&mut self, most: usize, into: &mut Vec<f64>, numbers: &mut Vec<u64>) -> Result<usize> {
         let PointColumns { at, parameters, .. } = &self.columns;
-        let refused = |place: String, reason: String| self.file.refused(place, reason);
+        let refused = |place: String, reason: String| Error::table(&self.file, place, reason);
         let mut rows = 0;
         // a chunk may span several pieces
         while rows < most {

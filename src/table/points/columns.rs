@@ -3,9 +3,7 @@
 use crate::batch::refuse_repeated;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
-use crate::table::{
-    CONDITIONS, Column, Content, SourceName, TableHead, columns_remark, heads_of, near_known,
-};
+use crate::table::{CONDITIONS, Column, Content, TableHead, columns_remark, heads_of, near_known};
 use crate::units::Message;
 
 /// Columns that are parameters of the drives.
@@ -21,7 +19,7 @@ pub(super) struct PointColumns {
 impl PointColumns {
     /// Selects the columns of parameters. If no column is a parameter of swing, strike, club or
     /// impact, the columns of launch conditions are selected too.
-    pub fn new(setup: &Setup<f64>, file: &SourceName, head: &mut TableHead) -> Result<Self> {
+    pub fn new(setup: &Setup<f64>, file: &str, head: &mut TableHead) -> Result<Self> {
         let is_struck = head.has_strike();
         let parameter = |column: &Column| match column.content {
             Content::Input(parameter) => Some(parameter),
@@ -49,14 +47,14 @@ impl PointColumns {
                     heads_of(&head.columns, |_| true).join(", ")
                 ),
             };
-            file.refused(String::new(), reason)
+            Error::table(file, "", reason)
         })?;
         let near = near_known(&head.columns);
         if !near.is_empty() {
             let names: Vec<&str> = parameters.iter().map(|parameter| parameter.name).collect();
             setup
                 .check_launch(&names)
-                .map_err(|error| file.refused(String::new(), format!("{error}{near}")))?;
+                .map_err(|error| Error::table(file, "", format!("{error}{near}")))?;
         }
         if is_struck {
             // the spins are not read

@@ -1,13 +1,13 @@
 use super::columns::PointColumns;
 use super::rows::PointRows;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::parameters::Setup;
 use crate::table::export_columns::columns_remark;
 use crate::table::head::{TableHead, remark_from_line};
 use crate::table::records::{Record, cells};
 use crate::table::row_fault::NonShotRows;
 use crate::table::table_use::TableUse;
-use crate::table::text::{SourceName, TableEntry, Text, TextTable};
+use crate::table::text::{TableEntry, Text, TextTable};
 use crate::units::Message;
 use std::path::{Path, PathBuf};
 
@@ -33,7 +33,7 @@ impl CsvRows {
     /// Opens a file and interprets its column heads.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) if the file is unreadable, if a column is unknown or
+    /// [`Error::Table`] if the file is unreadable, if a column is unknown or
     /// repeated, if no column is a parameter, or if a unit has the wrong dimension. Reading a row
     /// fails if a cell is not a number, or if its decimal mark is ambiguous.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
@@ -67,7 +67,7 @@ impl CsvRows {
                  table have it",
                 record.line
             );
-            file.refused(String::new(), reason)
+            Error::table(file, "", reason)
         })?;
         check_units(file, &head, &at)?;
         let others = own.at.iter().filter(|place| !at.contains(place));
@@ -103,18 +103,18 @@ impl CsvRows {
             };
             self.no_shots.add(self.row, fault).map_err(|refusal| {
                 let place = format!(", row {}", self.row);
-                self.table.name.refused(place, refusal.reason)
+                Error::table(&self.table.name, place, refusal.reason)
             })?;
         }
     }
 }
 
 /// Checks the units of the columns `at`.
-fn check_units(file: &SourceName, head: &TableHead, at: &[usize]) -> Result<()> {
+fn check_units(file: &str, head: &TableHead, at: &[usize]) -> Result<()> {
     for at in at {
-        head.columns[*at]
-            .check_unit()
-            .map_err(|error| file.refused(format!(", column {}", at + 1), error.to_string()))?;
+        head.columns[*at].check_unit().map_err(|error| {
+            Error::table(file, format!(", column {}", at + 1), error.to_string())
+        })?;
     }
     Ok(())
 }
@@ -144,7 +144,7 @@ impl PointRows for CsvRows {
                 let (cell, column) = (row[*at].as_str(), &self.head.columns[*at]);
                 let wrong = |reason| {
                     let place = format!(", row {}, column {}", self.row, column.head);
-                    self.table.name.refused(place, reason)
+                    Error::table(&self.table.name, place, reason)
                 };
                 values.push(column.value(cell).map_err(wrong)?.unwrap_or(f64::NAN));
             }

@@ -17,7 +17,6 @@ use crate::error::{Error, Result};
 use crate::features::how_to_get;
 use crate::input_file::table_extension;
 use crate::parameters::{Setup, Vary};
-use crate::table::SourceName;
 #[cfg(any(feature = "arrow", feature = "parquet"))]
 use columnar::ColumnarRows;
 use rows::TablePoints;
@@ -30,13 +29,12 @@ use std::path::Path;
 /// work.
 ///
 /// # Errors
-/// [`Error::Table`](crate::Error::Table) if the extension is unknown, if the file is unreadable,
+/// [`Error::Table`] if the extension is unknown, if the file is unreadable,
 /// damaged or truncated, if no column is a parameter, if a column is unknown, repeated or not
 /// numeric, if a unit has the wrong dimension, or if a value is not a number, is infinite, or has
 /// an ambiguous decimal mark. A missing value is no error: its row gets a status.
 pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points + Send>> {
-    let refused =
-        |reason: &str| Err(SourceName(path.display().to_string()).refused(String::new(), reason));
+    let refused = |reason: &str| Err(Error::table(path.display().to_string(), "", reason));
     match table_extension(path).as_str() {
         "csv" => Ok(Box::new(TablePoints::new(csv::CsvRows::open(
             setup, path,
