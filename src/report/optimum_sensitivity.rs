@@ -13,7 +13,7 @@ use crate::study::{
     Changed, Direction, Ellipse, Flatness, Optimum, OptimumAnalysis, PredictedEvent, Sensitivity,
 };
 use crate::units::{
-    DisplayUnit, Message, System, is_zero, leading_number, printed, significant, with_unit,
+    Digits, DisplayUnit, Message, System, is_zero, leading_number, printed, significant, with_unit,
 };
 use serde::Serialize;
 
@@ -393,7 +393,7 @@ fn change(best: &Optimum, changed: &Changed, system: System) -> DocumentTable {
         // show one decimal more than usual, so that two close values can be compared
         let unit = system.unit(of.unit());
         let value = value.map_or(shown::NONE.into(), |value| {
-            of.quantity().read_off_finely(value, unit)
+            of.quantity().text(value, unit, Digits::Fine)
         });
         let x = best
             .search

@@ -154,7 +154,7 @@ pub(super) fn both(of: Outcome, value: f64, system: System) -> String {
 /// A difference, standard deviation or loss of an outcome or parameter.
 pub(super) fn difference(of: impl Into<DisplayUnit>, value: f64, system: System) -> String {
     let DisplayUnit { quantity, unit } = of.into();
-    quantity.read_off_difference(value, system.unit(unit))
+    quantity.text(value, system.unit(unit), Digits::Difference)
 }
 
 /// A difference of a goal.

@@ -22,52 +22,33 @@ impl Quantity {
     /// assert_eq!(Quantity::DENSITY.read_off(1.184, "kg/m^3"), "1.184 kg/m³");
     /// ```
     pub fn read_off(self, value: f64, unit: &str) -> String {
-        with_unit(&self.read_off_number(value, unit), unit)
+        self.text(value, unit, Digits::LaunchMonitor)
     }
 
-    /// The number of [`read_off`](Self::read_off) without the unit, for a table with the unit in
-    /// its head.
-    pub(crate) fn read_off_number(self, value: f64, unit: &str) -> String {
-        let number = self.number_in(value, unit);
-        match self.decimals_of(number, unit) {
-            Some(decimals) => fixed(number, decimals),
-            None => significant(number, DIGITS),
-        }
-    }
-
-    /// Like [`read_off`](Self::read_off), with one more decimal, for computed settings such as an
-    /// optimum's loft.
+    /// An SI value as text in `unit`, with these digits.
     ///
     /// ```
-    /// use longdrive::units::Quantity;
-    /// assert_eq!(Quantity::ANGLE.read_off_finely(0.2, "deg"), "11.46°");
+    /// use longdrive::units::{Digits, Quantity};
+    /// assert_eq!(Quantity::ANGLE.text(0.2, "deg", Digits::Fine), "11.46°");
+    /// assert_eq!(Quantity::TIME.text(0.12345, "s", Digits::Difference), "0.123 s");
+    /// assert_eq!(Quantity::TIME.text(0.000512, "s", Digits::Difference), "0.00051 s");
+    /// assert_eq!(Quantity::LENGTH.text(1e-13, "m", Digits::Difference), "0.00 m");
     /// ```
-    pub fn read_off_finely(self, value: f64, unit: &str) -> String {
-        with_unit(&self.number_text(value, unit, Digits::Fine), unit)
-    }
-
-    /// A difference or an uncertainty as text in `unit`, with one decimal more than
-    /// [`read_off`](Self::read_off), and with at least two significant digits.
-    ///
-    /// ```
-    /// use longdrive::units::Quantity;
-    /// assert_eq!(Quantity::TIME.read_off_difference(0.12345, "s"), "0.123 s");
-    /// assert_eq!(Quantity::TIME.read_off_difference(0.000512, "s"), "0.00051 s");
-    /// assert_eq!(Quantity::LENGTH.read_off_difference(1e-13, "m"), "0.00 m");
-    /// ```
-    pub fn read_off_difference(self, value: f64, unit: &str) -> String {
-        with_unit(&self.number_text(value, unit, Digits::Difference), unit)
+    pub fn text(self, value: f64, unit: &str, digits: Digits) -> String {
+        with_unit(&self.number_text(value, unit, digits), unit)
     }
 
     /// The text of a value in `unit`, without the unit.
     pub(super) fn number_text(self, value: f64, unit: &str, digits: Digits) -> String {
         let number = match digits {
+            // a difference does not count from the zero of a temperature scale
             Digits::Difference => value / self.size_of(unit).unwrap_or(1.0),
-            Digits::Significant(_) | Digits::Fine => self.number_in(value, unit),
+            _ => self.number_in(value, unit),
         };
         match (digits, self.decimals_of(number, unit)) {
             (Digits::Significant(digits), _) => significant(number, digits),
             (_, None) => significant(number, DIGITS),
+            (Digits::LaunchMonitor, Some(decimals)) => fixed(number, decimals),
             (Digits::Fine, Some(decimals)) => fixed(number, decimals + 1),
             (Digits::Difference, Some(decimals)) => {
                 let size = number.abs();
@@ -143,7 +124,7 @@ pub(crate) fn is_zero(text: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Quantity, fixed, signed};
+    use super::{Digits, Quantity, fixed, signed};
 
     #[test]
     fn exact_digits_of_a_launch_monitor() {
@@ -165,7 +146,10 @@ mod tests {
             assert_eq!(Quantity::LENGTH.read_off(value, "m"), "0.0 m");
         }
         assert_eq!(Quantity::ANGULAR_VELOCITY.read_off(-1e-14, "rpm"), "0 rpm");
-        assert_eq!(Quantity::LENGTH.read_off_difference(-1e-9, "m"), "0.00 m");
+        assert_eq!(
+            Quantity::LENGTH.text(-1e-9, "m", Digits::Difference),
+            "0.00 m"
+        );
         let written = [0.004, -0.004, 0.006, -0.006]
             .map(|number| signed(number, format!("{} yd", fixed(number, 2))));
         assert_eq!(written, ["0.00 yd", "0.00 yd", "+0.01 yd", "-0.01 yd"]);

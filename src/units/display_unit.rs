@@ -1,4 +1,4 @@
-use super::{Quantity, System};
+use super::{Digits, Quantity, System};
 
 /// A quantity with its display unit. In a text in the units of a [`System`], [`System::unit`]
 /// replaces the display unit.
@@ -29,7 +29,8 @@ impl DisplayUnit {
 
     /// The number of [`read_off`](Self::read_off) without the unit.
     pub(crate) fn read_off_number(self, value: f64, system: System) -> String {
-        self.quantity.read_off_number(value, system.unit(self.unit))
+        self.quantity
+            .number_text(value, system.unit(self.unit), Digits::LaunchMonitor)
     }
 
     /// SI size of the unit that `system` uses in place of this unit ([`System::unit`]).

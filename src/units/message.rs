@@ -31,14 +31,18 @@ enum MessagePart {
     },
 }
 
-/// The digits of a quantity in a message.
+/// The digits of a quantity in a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Digits {
     /// At most this number of significant digits.
     Significant(usize),
-    /// Digits of [`Quantity::read_off_finely`].
+    /// As many as a launch monitor shows.
+    LaunchMonitor,
+    /// One decimal more than a launch monitor shows, for computed settings such as an optimum's
+    /// loft.
     Fine,
-    /// Digits of [`Quantity::read_off_difference`].
+    /// For a difference or an uncertainty: one decimal more than a launch monitor shows, and at
+    /// least two significant digits.
     Difference,
 }
 

@@ -8,7 +8,7 @@ use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::report::shown;
 use crate::statistics::extent;
 use crate::study::{DriveRole, NamedDrive};
-use crate::units::{Quantity, System, significant};
+use crate::units::{Digits, Quantity, System, significant};
 
 /// The view of a trajectory. The target is to the right of the picture; seen from above, right of
 /// the target line is at the bottom.
@@ -55,7 +55,7 @@ pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Re
         return view.refuse("no drive flies, so there is no path to draw");
     }
     if view == View::Top && y[0].abs().max(y[1].abs()) < STRAIGHT {
-        let within = Quantity::LENGTH.read_off_difference(STRAIGHT, system.unit("yd"));
+        let within = Quantity::LENGTH.text(STRAIGHT, system.unit("yd"), Digits::Difference);
         return view.refuse(&format!(
             "seen from above these drives are straight: they stay within {within} of the target \
              line, so there is nothing to draw"

@@ -4,7 +4,7 @@ use crate::report::document::{Document, DocumentTable};
 use crate::report::plot::{Axis, Figure, Layer, NamedQuantity};
 use crate::report::published::{PaperUnits, angles};
 use crate::reproduce::{Landings, Noise, Slopes};
-use crate::units::{Quantity, System, significant};
+use crate::units::{Digits, Quantity, System, significant};
 
 pub(super) fn noise(document: &mut Document, noise: &Noise, units: PaperUnits) {
     document.heading("The noise of its flight loop");
@@ -19,7 +19,7 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, units: PaperUnits) {
          the last two steps of the loop removes the jumps.",
         noise.step,
         significant(noise.teeth.width.to_degrees(), 3),
-        Quantity::LENGTH.read_off_difference(noise.teeth.height, units.length_unit()),
+        Quantity::LENGTH.text(noise.teeth.height, units.length_unit(), Digits::Difference),
         noise.wrong_signs,
         noise.slopes.len(),
     ));

@@ -8,7 +8,7 @@ use super::figure::{Figure, HorizontalBar, Shape};
 use super::layers::PlotArea;
 use super::palette::BAR_OPACITY;
 use super::text_width::{SMALL_TEXT, text_width, widest, wrapped};
-use crate::units::{DisplayUnit, is_zero, leading_number, signed, typeset};
+use crate::units::{Digits, DisplayUnit, is_zero, leading_number, signed, typeset};
 
 /// Text size of values, pixels.
 const VALUE: f64 = 12.0;
@@ -231,7 +231,7 @@ fn value(figure: &Figure, layer: usize, bar: &HorizontalBar) -> String {
             .iter()
             .all(|(_, other)| is_lost(other));
     let text = if is_row_lost {
-        quantity.read_off_difference(amount, unit)
+        quantity.text(amount, unit, Digits::Difference)
     } else {
         text
     };
