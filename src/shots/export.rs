@@ -163,15 +163,8 @@ pub(super) fn launch(
     match conditions(*values, has) {
         Ok(launch) => Ok(launch.to_vec()),
         Err(fault) => {
-            let kind = match fault.is_missing {
-                true => Refusal::MISSING,
-                false if fault.of == Outcome::Spin => Refusal::SPIN,
-                false => Refusal::RANGE,
-            };
-            Err(Refusal::new(
-                kind,
-                format!("{}: {}", name(fault.of), fault.why),
-            ))
+            let reason = format!("{}: {}", name(fault.of), fault.why);
+            Err(Refusal::new(fault.kind, reason))
         }
     }
 }

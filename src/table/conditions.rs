@@ -1,33 +1,22 @@
 //! Launch conditions of a row: consistency, and conversion to a launch.
 
 use super::CONDITIONS;
+use super::refusal::Refusal;
 use crate::drive::Outcome;
 
 /// An error in the launch conditions of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ConditionFault {
+    /// Category of the [`Refusal`]: a missing value, or an invalid one.
+    pub kind: &'static str,
     /// The condition at fault.
     pub of: Outcome,
     pub why: &'static str,
-    /// True if the fault is a missing value; false if a stated value is invalid.
-    pub is_missing: bool,
 }
 
 impl ConditionFault {
-    fn missing(of: Outcome, why: &'static str) -> Self {
-        Self {
-            of,
-            why,
-            is_missing: true,
-        }
-    }
-
-    fn invalid(of: Outcome, why: &'static str) -> Self {
-        Self {
-            of,
-            why,
-            is_missing: false,
-        }
+    fn new(kind: &'static str, of: Outcome, why: &'static str) -> Self {
+        Self { kind, of, why }
     }
 }
 
@@ -145,16 +134,19 @@ pub(crate) fn conditions(
 ) -> Result<[f64; LAUNCH_PARAMETERS.len()], ConditionFault> {
     let [speed, angle, direction, spins @ ..] = without_redundant_spins(values);
     let is_empty = "the cell is empty; every launch needs this value";
-    let speed = speed.ok_or(ConditionFault::missing(Outcome::BallSpeed, is_empty))?;
-    let angle = angle.ok_or(ConditionFault::missing(Outcome::LaunchAngle, is_empty))?;
+    let missing = |of: Outcome| ConditionFault::new(Refusal::MISSING, of, is_empty);
+    let speed = speed.ok_or(missing(Outcome::BallSpeed))?;
+    let angle = angle.ok_or(missing(Outcome::LaunchAngle))?;
     if speed <= 0.0 {
-        return Err(ConditionFault::invalid(
+        return Err(ConditionFault::new(
+            Refusal::RANGE,
             Outcome::BallSpeed,
             "the ball's speed must be above 0",
         ));
     }
     if angle.abs() >= std::f64::consts::FRAC_PI_2 {
-        return Err(ConditionFault::invalid(
+        return Err(ConditionFault::new(
+            Refusal::RANGE,
             Outcome::LaunchAngle,
             "the launch angle must be between −90° and 90°",
         ));
@@ -175,7 +167,8 @@ fn spin_components(
             } else {
                 Outcome::Backspin
             };
-            Err(ConditionFault::missing(
+            Err(ConditionFault::new(
+                Refusal::MISSING,
                 of,
                 "the cells of the spin are empty; every launch needs a spin",
             ))
@@ -186,7 +179,8 @@ fn spin_components(
         (None, Some(back), None, Some(axis)) if axis.abs() <= MOST_AXIS => {
             Ok([back, back * axis.tan()])
         }
-        (None, Some(_), None, Some(_)) => Err(ConditionFault::invalid(
+        (None, Some(_), None, Some(_)) => Err(ConditionFault::new(
+            Refusal::RANGE,
             Outcome::SpinAxis,
             "with a backspin the axis must be between −90° and 90°, since sidespin = backspin · \
              tan(axis); correct it, or give the sidespin",
@@ -194,7 +188,8 @@ fn spin_components(
         (Some(spin), _, Some(side), None) if side.abs() <= spin => {
             Ok([(spin * spin - side * side).sqrt(), side])
         }
-        (Some(_), _, Some(_), None) => Err(ConditionFault::invalid(
+        (Some(_), _, Some(_), None) => Err(ConditionFault::new(
+            Refusal::SPIN,
             Outcome::Spin,
             "the sidespin is larger than the spin; correct one of them",
         )),

@@ -29,8 +29,8 @@ mod text;
 pub(crate) use air::{air_of_rows, air_of_setup, air_replaced};
 pub(crate) use column::{Column, Content, TableFormat};
 pub(crate) use conditions::{
-    ConditionFault, LAUNCH_PARAMETERS, StatedConditions, conditions, contradiction,
-    is_straight_by_assumption, without_redundant_spins,
+    LAUNCH_PARAMETERS, StatedConditions, conditions, contradiction, is_straight_by_assumption,
+    without_redundant_spins,
 };
 pub(crate) use decimal_mark::DecimalMark;
 #[cfg(feature = "commands")]

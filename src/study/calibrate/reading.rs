@@ -7,7 +7,7 @@ use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Shot};
 use crate::table::{
-    CONDITIONS, Column, ConditionFault, Content, LAUNCH_PARAMETERS, StatedConditions as Launch,
+    CONDITIONS, Column, Content, LAUNCH_PARAMETERS, Refusal, StatedConditions as Launch,
     TableFormat, TableHead, TableUse, TextTable, club_column, columns_remark, conditions,
     contradiction, has_whole_launch, heads_of, ignore_columns, implausible_club,
     implausible_launch, impossible, is_straight_by_assumption, missing_launch_remark, near_known,
@@ -571,17 +571,11 @@ impl Reading {
     /// Computes the launch parameters (name and SI value) from the launch conditions of a row.
     fn launch(&self, stated: Launch) -> Result<[f64; LAUNCH_PARAMETERS.len()], RowError> {
         let has = |of: Outcome| self.head.column(Content::Outcome(of)).is_some();
-        conditions(stated, has).map_err(
-            |ConditionFault {
-                 of,
-                 why,
-                 is_missing,
-             }| RowError {
-                column: Some(self.head.name_of(of)),
-                why: why.into(),
-                is_incomplete: is_missing,
-            },
-        )
+        conditions(stated, has).map_err(|fault| RowError {
+            column: Some(self.head.name_of(fault.of)),
+            why: fault.why.into(),
+            is_incomplete: fault.kind == Refusal::MISSING,
+        })
     }
 
     fn stationary(
