@@ -39,7 +39,10 @@ pub fn with_quotes_advice(error: Error) -> Error {
             column,
             reason,
         } if !expression.contains(['<', '>', '='])
-            && running().words.iter().any(|word| word == "--subject-to") =>
+            && running()
+                .words
+                .iter()
+                .any(|word| option_of(&word.to_string_lossy()) == "--subject-to") =>
         {
             Error::Constraint {
                 reason: format!("{reason}; {}", quotes_advice()),
@@ -49,6 +52,11 @@ pub fn with_quotes_advice(error: Error) -> Error {
         }
         error => error,
     }
+}
+
+/// The option of a word such as `--speed=90` or `--speed`: the part before `=`.
+fn option_of(word: &str) -> &str {
+    word.split_once('=').map_or(word, |(option, _)| option)
 }
 
 /// Advice on a word that is neither an option nor a setup.
@@ -68,7 +76,7 @@ fn unquoted_constraint(left_over: &str) -> Option<String> {
     let option = words[..left_over]
         .iter()
         .rposition(|word| word.to_string_lossy().starts_with("--"))?;
-    if words[option] != "--subject-to" {
+    if option_of(&words[option].to_string_lossy()) != "--subject-to" {
         return None;
     }
     Some(quotes_advice())
@@ -107,8 +115,7 @@ pub fn refuse_table(file: &Path) -> Result<()> {
     if !is_table(file) {
         return Ok(());
     }
-    let running = running();
-    let advice = match running.words.first().and_then(|command| command.to_str()) {
+    let advice = match running().command {
         Some("delivery") => "; give a table of shots with `shots FILE`",
         Some("sweep") => "; give a table of points with `points FILE`",
         Some("optimize" | "design" | "pareto" | "robust") => {
@@ -149,9 +156,8 @@ fn in_quotes(left_over: &str) -> Option<String> {
     let option = words[..left_over]
         .iter()
         .rposition(|word| word.starts_with("--"))?;
-    let (name, begun) = words[option]
-        .split_once('=')
-        .map_or((&*words[option], None), |(name, value)| (name, Some(value)));
+    let name = option_of(&words[option]);
+    let begun = words[option].split_once('=').map(|(_, value)| value);
     // a negative number is no option
     let is_option = |word: &str| {
         word.strip_prefix('-')

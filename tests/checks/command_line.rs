@@ -546,6 +546,14 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
             vec!["a table is no setup", "--swings"],
         ),
         (
+            vec!["--quiet", "optimize", "examples/deliveries.csv"],
+            vec!["a table is no setup; give a table of swings with --swings FILE"],
+        ),
+        (
+            vec!["--units", "metric", "delivery", "examples/shots.csv"],
+            vec!["a table is no setup; give a table of shots with --shots FILE"],
+        ),
+        (
             vec!["simulate", "drives.parquet"],
             vec!["drives.parquet: a table is no setup\n"],
         ),

@@ -55,6 +55,8 @@ fn pieces_of_a_constraint_without_quotes_get_the_advice_on_quotes() {
         &["optimize", "--subject-to", "descent_angle", "38deg"][..],
         &["optimize", "--subject-to", "lateral", "==", "0m"],
         &["optimize", "--subject-to", "descent_angle", "="],
+        &["optimize", "--subject-to=descent_angle"],
+        &["optimize", "--subject-to=descent_angle", "38", "deg"],
     ] {
         let printed = longdrive(words);
         assert_eq!(printed.status, 2);
