@@ -1,12 +1,14 @@
 //! The `design` command: the best head and face.
 
 use crate::command::args::{OptimizeArgs, SwingsArgs};
+use crate::command::optimize::optimize_and_write;
 use crate::command::output::Answer;
 use crate::command::ranges::SearchRanges;
 use crate::command::request::Request;
-use crate::command::swings::{SwingsRequest, optimize_and_write, search_over_swings};
+use crate::command::search::SearchRequest;
 use crate::report::DesignReport;
 use crate::study::design::{Design, GOLFER, default_vary, golfer, improvements};
+use crate::study::swings::Swings;
 use crate::study::{Goal, Search};
 use crate::{Error, Result};
 
@@ -65,30 +67,25 @@ pub fn run(args: &Args) -> Result<Answer> {
         "it gives the launch, so no club strikes the ball and there is nothing to design; leave it \
          out, or give the swing",
     )?;
-    let over = swings_or_golfer(swings_args, &request)?;
-    let given = &optimum.search.vary;
-    let ranges = SearchRanges::over_swings(given, &request, over.setup, default_vary)?;
-    let origin = ranges.origin(&request);
-    let origin = origin.with_stated(&swings_args.end_of_title());
-    let requested = search_over_swings(
-        &optimum.search,
-        swings_args,
-        &over,
-        Goal::read(GOAL, None)?,
-        ranges,
-    )?;
-    let SwingsRequest { setup, swings, .. } = over;
-    request.note_starts(&setup, &requested.vary);
-    let mut notes = notes_on_defaults(args, &requested);
-    let design = Design::new(&setup, requested, args.rules == "golf")?;
-    notes.extend(design.notes.iter().cloned());
-    let found = optimize_and_write(
-        &args.optimize,
+    let swings = swings_or_golfer(swings_args, &request)?;
+    let drives = swings_args.drives_over(swings.clone(), &request, true)?;
+    let search_args = &optimum.search;
+    let ranges = SearchRanges::new(
+        &search_args.vary,
         &request,
-        setup,
-        swings,
-        design.search.clone(),
+        drives.setup,
+        None,
+        default_vary,
     )?;
+    let SearchRequest {
+        setup,
+        search,
+        origin,
+    } = search_args.search(&request, &drives, ranges, Goal::read(GOAL, None)?)?;
+    let mut notes = notes_on_defaults(args, &search);
+    let design = Design::new(&setup, search, args.rules == "golf")?;
+    notes.extend(design.notes.iter().cloned());
+    let found = optimize_and_write(&args.optimize, &request, &swings, setup, &design.search)?;
     let improvements = if found.optima.best.value().is_some() {
         improvements(&found.setup, &found.optima.best, &found.work.stop)?
     } else {
@@ -102,14 +99,14 @@ pub fn run(args: &Args) -> Result<Answer> {
 /// The stated swings or, if none are stated, the swings of a golfer whose drives were measured. The
 /// golfer's swings scatter about the values of the setup, so the user may set the parameters that
 /// scatter.
-fn swings_or_golfer(args: &SwingsArgs, request: &Request) -> Result<SwingsRequest> {
+fn swings_or_golfer(args: &SwingsArgs, request: &Request) -> Result<Swings> {
     if args.is_given() {
-        return args.request(request, true);
+        return args.swings_of(request);
     }
     if !args.correlation.is_empty() {
         args.refuse_stray()?;
     }
-    args.request_of(request, golfer(&request.partial_setup)?, true)
+    golfer(&request.partial_setup)
 }
 
 /// Notes on the defaults that replace unstated arguments: swings, goal and varied parameters.

@@ -6,16 +6,15 @@ use crate::command::interrupt;
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, once_a_second, spinner, stated_system, system, warn};
 use crate::command::picture::{PictureArgs, PlotDestination};
-use crate::command::ranges::{SearchRanges, loft};
 use crate::command::request::Request;
 use crate::command::running::running;
-use crate::command::search::{SearchRequest, of_a_drive, options};
-use crate::command::swings::{goal, limits, swing_ranges};
+use crate::command::search::{SearchRequest, options};
+use crate::command::swings::swing_ranges;
 use crate::optimize::{Iteration, Observers};
 use crate::report::figures::pareto_figure;
 use crate::report::{ParetoReport, Report, pareto_csv, pareto_setup};
 use crate::study::swings::{Pareto, ParetoSearch, Scenarios, pareto};
-use crate::study::{Constraint, Goal, Sense};
+use crate::study::{Goal, Sense};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
@@ -176,71 +175,36 @@ fn follow(setup: &Setup<f64>, search: ParetoSearch, stop: &Arc<AtomicBool>) -> R
     found
 }
 
-/// The search for the front of two goals over many swings.
-fn over_swings(request: &Request, args: &GoalArgs) -> Result<SearchRequest<ParetoSearch>> {
-    let over = args.swings.request(request, false)?;
-    let ranges = SearchRanges::over_swings(&args.vary, request, over.setup, loft)?;
-    let origin = ranges.origin(request);
-    let strokes = args.swings.strokes()?;
-    let strokes = strokes.as_ref();
-    let goals = args.goals(|option, text| goal(option, text, strokes))?;
-    let of = goals.each_ref().map(|(goal, _)| goal);
-    let subject_to = limits(&ranges.initialized, &args.subject_to, of, strokes)?;
-    let mut search = ParetoSearch {
-        goals,
-        vary: ranges.vary()?,
-        subject_to,
-        scenarios: Scenarios::one_drive(),
-        points: args.points,
-        options: options(args.max_iterations),
-    };
-    search.scenarios =
-        args.swings
-            .scenarios(&over.swings, search.all_goals(), over.is_resampled)?;
-    Ok(SearchRequest {
-        setup: over.setup,
-        search,
-        origin: origin.with_stated(&args.swings.end_of_title()),
-    })
-}
-
-/// The search for the front of two goals of one drive.
-fn of_one_drive(request: &Request, args: &GoalArgs) -> Result<SearchRequest<ParetoSearch>> {
-    let ranges = SearchRanges::of_drive(&args.vary, request, None)?;
-    let origin = ranges.origin(request);
-    let goals = args.goals(|option, text| Ok(of_a_drive(option, text)?.into()))?;
-    let subject_to = args.subject_to.iter().map(|text| Constraint::read(text));
-    let search = ParetoSearch {
-        goals,
-        vary: ranges.vary()?,
-        subject_to: subject_to.collect::<Result<_>>()?,
-        scenarios: Scenarios::one_drive(),
-        points: args.points,
-        options: options(args.max_iterations),
-    };
-    Ok(SearchRequest {
-        setup: request.partial_setup,
-        search,
-        origin,
-    })
-}
-
 impl GoalArgs {
     /// The search for the front, with method and step for its drives.
     fn search(&self, request: &Request) -> Result<SearchRequest<ParetoSearch>> {
         self.swings.refuse_stray()?;
-        let mut requested = if self.swings.is_given() {
-            over_swings(request, self)?
-        } else {
-            of_one_drive(request, self)?
+        let drives = self.swings.drives(request, false)?;
+        let ranges = drives.ranges(&self.vary, request)?;
+        let origin = ranges.origin(request);
+        let initialized = ranges.initialized;
+        let goals = self.goals(|option, text| drives.goal(option, text))?;
+        let vary = ranges.vary()?;
+        let of = goals.each_ref().map(|(goal, _)| goal);
+        let subject_to = drives.limits(&initialized, &self.subject_to, of)?;
+        let mut search = ParetoSearch {
+            goals,
+            vary,
+            subject_to,
+            scenarios: Scenarios::one_drive(),
+            points: self.points,
+            options: options(self.max_iterations),
         };
-        let search = &requested.search;
+        search.scenarios = drives.scenarios(search.all_goals())?;
         let outcomes: Vec<Outcome> = search.all_goals().flat_map(Goal::outcomes).collect();
         note_the_run(&outcomes);
-        request.note_starts(&requested.setup, &search.vary);
+        request.note_starts(&initialized, &search.vary);
         let ranges = swing_ranges(&search.vary, &search.scenarios);
-        requested.setup = request.for_many(requested.setup, &ranges)?;
-        Ok(requested)
+        Ok(SearchRequest {
+            setup: request.for_many(drives.setup, &ranges)?,
+            search,
+            origin: origin.with_stated(&drives.args.end_of_title()),
+        })
     }
 
     /// The two objectives, parsed by `read`.

@@ -31,7 +31,20 @@ fn launch_ranges(setup: &Setup<f64>) -> [String; 2] {
     ]
 }
 
-/// The loft alone: in a search over swings the attack angle varies from swing to swing.
+/// The default ranges of a search over one drive: loft and attack angle; none if the setup gives the
+/// launch of the ball.
+///
+/// # Errors
+/// The errors of [`Search::longest_drive`].
+pub fn loft_and_attack_angle(setup: &Setup<f64>) -> Result<Vec<Vary>> {
+    if setup.launch.is_given() {
+        return Ok(vec![]);
+    }
+    Ok(Search::longest_drive(setup)?.vary)
+}
+
+/// The default range of a search over swings: the loft alone, because the attack angle varies from
+/// swing to swing.
 ///
 /// # Errors
 /// The errors of [`Search::longest_drive`].
@@ -49,69 +62,46 @@ pub struct SearchRanges {
     vary: Vec<Vary>,
     /// The default ranges of parameters that the request states; these are not varied.
     held: Vec<Vary>,
-    /// Ranges to suggest if nothing is left to vary, as arguments.
-    examples: String,
 }
 
 impl SearchRanges {
-    /// Reads the ranges of `--vary` from their texts.
+    /// The ranges of `--vary` (`given`); without this option, the ranges that `defaults` returns,
+    /// without the parameters that the request states, and without the parameter `along` of a
+    /// chart. `setup` has the means of the swings, if there are swings.
     ///
     /// # Errors
-    /// The errors of [`Vary::read`].
-    fn stated(texts: &[String], initialized: Setup<f64>) -> Result<Self> {
-        Ok(Self {
-            vary: Vary::read_all(&initialized, texts)?,
-            initialized,
-            held: vec![],
-            examples: String::new(),
-        })
+    /// The errors of [`Request::with_starts`], [`Vary::read`] and `defaults`.
+    pub fn new(
+        given: &[String],
+        request: &Request,
+        setup: Setup<f64>,
+        along: Option<Vary>,
+        defaults: impl Fn(&Setup<f64>) -> Result<Vec<Vary>>,
+    ) -> Result<Self> {
+        let initialized = request.with_starts(setup, given, along)?;
+        if !given.is_empty() {
+            return Ok(Self {
+                vary: Vary::read_all(&initialized, given)?,
+                initialized,
+                held: vec![],
+            });
+        }
+        let mut ranges = Self::defaults(defaults(&initialized)?, request, initialized);
+        let along = along.map(|along| along.parameter);
+        ranges.vary.retain(|range| Some(range.parameter) != along);
+        Ok(ranges)
     }
 
     /// Default ranges without the parameters that the request states.
-    fn defaults(ranges: Vec<Vary>, request: &Request, initialized: Setup<f64>) -> Self {
-        let (held, vary): (Vec<_>, Vec<_>) = ranges
+    pub fn defaults(ranges: Vec<Vary>, request: &Request, initialized: Setup<f64>) -> Self {
+        let (held, vary) = ranges
             .into_iter()
             .partition(|range| request.states(range.parameter.name));
-        let examples = as_arguments(held.iter().map(range_text));
         Self {
             initialized,
             vary,
             held,
-            examples,
         }
-    }
-
-    /// Loft and attack angle; no range if the setup gives the launch of the ball.
-    ///
-    /// # Errors
-    /// The errors of [`Search::longest_drive`].
-    pub fn longest_drive(request: &Request, initialized: Setup<f64>) -> Result<Self> {
-        if initialized.launch.is_given() {
-            return Ok(Self {
-                initialized,
-                vary: vec![],
-                held: vec![],
-                examples: as_arguments(launch_ranges(&initialized)),
-            });
-        }
-        let ranges = Search::longest_drive(&initialized)?.vary;
-        Ok(Self::defaults(ranges, request, initialized))
-    }
-
-    /// The ranges of a search over one drive: those of `--vary` (`given`); without this option, the
-    /// [ranges of the longest drive](Self::longest_drive) without the parameter `along` of a chart.
-    ///
-    /// # Errors
-    /// The errors of [`Request::with_starts`], [`Vary::read`] and [`Search::longest_drive`].
-    pub fn of_drive(given: &[String], request: &Request, along: Option<Vary>) -> Result<Self> {
-        let initialized = request.with_starts(request.partial_setup, given, along)?;
-        if !given.is_empty() {
-            return Self::stated(given, initialized);
-        }
-        let mut defaults = Self::longest_drive(request, initialized)?;
-        let along = along.map(|along| along.parameter);
-        defaults.vary.retain(|range| Some(range.parameter) != along);
-        Ok(defaults)
     }
 
     /// Two ranges of a map of this setup, as arguments.
@@ -124,25 +114,6 @@ impl SearchRanges {
         }
         let ranges = Search::longest_drive(setup)?.vary;
         Ok(as_arguments(ranges.iter().map(range_text)))
-    }
-
-    /// The ranges of a search over swings: those of `--vary` (`given`); without this option, the
-    /// ranges that `defaults` returns. `setup` has the means of the swings.
-    ///
-    /// # Errors
-    /// The errors of [`Request::with_starts`], [`Vary::read`] and `defaults`.
-    pub fn over_swings(
-        given: &[String],
-        request: &Request,
-        setup: Setup<f64>,
-        defaults: impl Fn(&Setup<f64>) -> Result<Vec<Vary>>,
-    ) -> Result<Self> {
-        let initialized = request.with_starts(setup, given, None)?;
-        if !given.is_empty() {
-            return Self::stated(given, initialized);
-        }
-        let ranges = defaults(&initialized)?;
-        Ok(Self::defaults(ranges, request, initialized))
     }
 
     /// The description of the setup for the first lines of the answer of a search over these
@@ -161,7 +132,10 @@ impl SearchRanges {
             return None;
         }
         let names: Vec<_> = self.held.iter().map(|range| range.parameter.name).collect();
-        let examples = &self.examples;
+        let examples = match self.held.as_slice() {
+            [] => as_arguments(launch_ranges(&self.initialized)),
+            held => as_arguments(held.iter().map(range_text)),
+        };
         Some(match names.as_slice() {
             [] => format!(
                 "the drive is given by its launch, so there is no loft and no attack angle to \

@@ -10,7 +10,8 @@ use crate::command::output::{
 use crate::command::plot::{counted_points, limits};
 use crate::command::request::Request;
 use crate::command::running::running;
-use crate::command::search::{SearchRequest, of_a_drive};
+use crate::command::search::SearchRequest;
+use crate::command::swings::of_a_drive;
 use crate::command::wording::in_host_syntax;
 use crate::derivative::default_variables;
 use crate::flight::Flight;

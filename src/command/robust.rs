@@ -3,18 +3,16 @@
 use crate::command::args::{SearchArgs, SetupArgs, SwingsArgs, U32_MAX, whole};
 use crate::command::files::OutputRule;
 use crate::command::interrupt;
-use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, note_detail, spinner, system, warn};
-use crate::command::ranges::{SearchRanges, loft};
 use crate::command::request::{Request, replaced, warn_of_idle};
 use crate::command::search::{SearchRequest, allowed_loss};
-use crate::command::swings::{search_over_swings, swing_ranges};
+use crate::command::swings::swing_ranges;
 use crate::optimize::Observers;
 use crate::report::{RobustReport, robust_setup};
 use crate::study::swings::{Model, robust};
 use crate::study::{Goal, Search};
 use crate::units::{Message, Quantity, YARD};
-use crate::{Error, Outcome, Result, Setup};
+use crate::{Error, Result, Setup};
 use std::path::PathBuf;
 
 #[derive(clap::Args)]
@@ -64,11 +62,15 @@ pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let rule = OutputRule::new(request.inputs().chain(args.swings.inputs()), args.overwrite);
     let output = rule.setup_file(args.output.as_deref())?;
+    let drives = args.swings.drives(&request, false)?;
+    let ranges = drives.ranges(&args.search.vary, &request)?;
     let SearchRequest {
         setup,
         search,
         origin,
-    } = args.search(&request)?;
+    } = args
+        .search
+        .search(&request, &drives, ranges, drives.default_goal())?;
     let within = args.within(&search.of)?;
     let ranges = swing_ranges(&search.vary, &search.scenarios);
     let mut models = args.models(&setup, &search)?;
@@ -142,36 +144,6 @@ fn note_models(models: &[Model]) {
 }
 
 impl Args {
-    /// The search with its objective and swings.
-    fn search(&self, request: &Request) -> Result<SearchRequest> {
-        if self.swings.is_given() {
-            let over = self.swings.request(request, false)?;
-            let ranges = SearchRanges::over_swings(&self.search.vary, request, over.setup, loft)?;
-            let origin = ranges.origin(request);
-            let search = search_over_swings(
-                &self.search,
-                &self.swings,
-                &over,
-                Goal::mean(Outcome::Carry),
-                ranges,
-            )?;
-            note_the_run(&search.outcomes());
-            request.note_starts(&over.setup, &search.vary);
-            return Ok(SearchRequest {
-                setup: over.setup,
-                search,
-                origin: origin.with_stated(&self.swings.end_of_title()),
-            });
-        }
-        let ranges = SearchRanges::of_drive(&self.search.vary, request, None)?;
-        let origin = ranges.origin(request);
-        Ok(SearchRequest {
-            setup: request.partial_setup,
-            search: self.search.search(request, ranges)?,
-            origin,
-        })
-    }
-
     /// The model of the setup, and the alternative models.
     fn models(&self, setup: &Setup<f64>, search: &Search) -> Result<Vec<Model>> {
         if self.model.is_empty() {

@@ -6,19 +6,20 @@ use crate::command::host::{Progress, Work};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::note_the_run;
 use crate::command::output::{note, shown, system, warn};
-use crate::command::ranges::SearchRanges;
+use crate::command::ranges::{SearchRanges, loft_and_attack_angle};
 use crate::command::request::Request;
 use crate::command::running::running;
+use crate::command::swings::SearchedDrives;
 use crate::lock::lock;
 use crate::optimize::{Checkpoint, Iteration, Observer, Observers, Options};
 use crate::parameters::Vary;
 use crate::report::{SetupOrigin, goal_text, iteration_line, optimum_setup};
 use crate::study::swings::{Scenarios, Swings};
 use crate::study::{
-    Constraint, Optima, Optimum, Search, Sense, improve_from_club_alone, optima, optimum,
+    Goal, Optima, Optimum, Search, Sense, improve_from_club_alone, optima, optimum,
 };
 use crate::units::Quantity;
-use crate::{Error, Outcome, Result, Setup};
+use crate::{Error, Result, Setup};
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
@@ -53,7 +54,7 @@ impl SearchArgs {
     /// drive as stated, for the refusal of a search with nothing to vary.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] if there is nothing to vary; the errors of [`SearchRanges::of_drive`],
+    /// [`Error::Unreadable`] if there is nothing to vary; the errors of [`SearchRanges::new`],
     /// [`search`](Self::search) and [`Request::for_many`].
     pub fn of_drive(
         &self,
@@ -61,53 +62,67 @@ impl SearchArgs {
         along: Option<Vary>,
         instead: Option<&str>,
     ) -> Result<SearchRequest> {
-        let ranges = SearchRanges::of_drive(&self.vary, request, along)?;
+        let drives = SearchedDrives::one(request);
+        let defaults = loft_and_attack_angle;
+        let ranges = SearchRanges::new(&self.vary, request, drives.setup, along, defaults)?;
         if let (Some(reason), Some(instead)) = (ranges.reason(), instead) {
             let source = format!("{reason}; {instead}");
             return Err(Error::unreadable("the search", source));
         }
-        let origin = ranges.origin(request);
-        let search = self.search(request, ranges)?;
-        let ranges: Vec<_> = search.vary.iter().copied().chain(along).collect();
-        Ok(SearchRequest {
-            setup: request.for_many(request.partial_setup, &ranges)?,
-            search,
-            origin,
-        })
+        let mut requested = self.search(request, &drives, ranges, drives.default_goal())?;
+        let vary = requested.search.vary.iter().copied();
+        let ranges: Vec<_> = vary.chain(along).collect();
+        requested.setup = request.for_many(requested.setup, &ranges)?;
+        Ok(requested)
     }
 
-    /// The search over these ranges.
-    pub fn search(&self, request: &Request, ranges: SearchRanges) -> Result<Search> {
+    /// The search over these drives and ranges. Without an objective it maximizes `default`.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] if there is nothing to vary; the errors of
+    /// [`objective`](Self::objective), [`SearchedDrives::limits`] and
+    /// [`SearchedDrives::scenarios`].
+    pub fn search(
+        &self,
+        request: &Request,
+        drives: &SearchedDrives,
+        ranges: SearchRanges,
+        default: Goal,
+    ) -> Result<SearchRequest> {
+        let origin = ranges.origin(request);
         let initialized = ranges.initialized;
         let vary = ranges.vary()?;
-        let (of, sense) = self.objective(of_a_drive, Outcome::Carry)?;
-        let search = Search {
-            of: of.into(),
+        let (of, sense) = self.objective(|option, text| drives.goal(option, text), default)?;
+        let subject_to = drives.limits(&initialized, &self.subject_to, [&of])?;
+        let mut search = Search {
+            of,
             sense,
             vary,
-            subject_to: self
-                .subject_to
-                .iter()
-                .map(|text| Constraint::read(text))
-                .collect::<Result<_>>()?,
+            subject_to,
             scenarios: Scenarios::one_drive(),
             options: options(self.max_iterations),
         };
+        search.scenarios = drives.scenarios(search.goals())?;
         note_the_run(&search.outcomes());
         request.note_starts(&initialized, &search.vary);
-        Ok(search)
+        Ok(SearchRequest {
+            setup: drives.setup,
+            search,
+            origin: origin.with_stated(&drives.args.end_of_title()),
+        })
     }
 
     /// The reason why there is nothing to vary; `None` if `--vary` or a default range gives a
     /// parameter.
     ///
     /// # Errors
-    /// The errors of [`SearchRanges::longest_drive`].
+    /// The errors of [`loft_and_attack_angle`].
     pub fn nothing_to_vary(&self, request: &Request) -> Result<Option<String>> {
         if !self.vary.is_empty() {
             return Ok(None);
         }
-        Ok(SearchRanges::longest_drive(request, request.partial_setup)?.reason())
+        let setup = request.partial_setup;
+        Ok(SearchRanges::defaults(loft_and_attack_angle(&setup)?, request, setup).reason())
     }
 
     /// The objective and its sense. Without an option, `default` is maximized. `read` takes the
@@ -282,21 +297,6 @@ pub fn options(max_iterations: Option<u64>) -> Options {
         max_iterations: max_iterations.unwrap_or(options.max_iterations),
         ..options
     }
-}
-
-/// The outcome that `text`, the value of `option`, names. A goal over many swings is an error,
-/// because it needs a distribution of swings.
-pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
-    Outcome::named(text.trim()).map_err(|error| match text.contains('(') {
-        true => {
-            let source = format!(
-                "{text} is a goal over many swings; give the swings too, with `swings FILE` or \
-                 `distribution NAME=KIND(…)`"
-            );
-            Error::unreadable(option, source)
-        }
-        false => error,
-    })
 }
 
 /// The identity of a search for its checkpoint: setup, search and number of starts in debug form,

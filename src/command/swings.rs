@@ -1,34 +1,108 @@
-//! The search for the best design over many swings.
+//! The drives of a search: one drive, or the swings of a golfer.
 
-use crate::command::args::{OptimizeArgs, OptimumArgs, SearchArgs, SwingsArgs, stated};
-use crate::command::interrupt::{self, BEST_SO_FAR, InterruptibleWork};
-use crate::command::names::note_the_run;
-use crate::command::output::{Answer, note, note_each, system, warn};
-use crate::command::ranges::{SearchRanges, loft};
+use crate::command::args::{SwingsArgs, stated};
+use crate::command::output::{note, note_each, system};
+use crate::command::ranges::{SearchRanges, loft, loft_and_attack_angle};
 use crate::command::request::Request;
-use crate::command::search::{options, write};
 use crate::parameters::Vary;
-use crate::report::{OptimizeReport, computed_text};
-use crate::study::swings::{
-    Correlation, OverSwings, Rule, Scenarios, Strokes, Swings, analyse_over_swings,
-    bootstrap_optimum,
-};
+use crate::report::computed_text;
+use crate::study::swings::{Correlation, Rule, Scenarios, Strokes, Swings};
 use crate::study::uncertainty::Uncertain;
-use crate::study::{Constraint, Goal, Optima, Search};
-use crate::units::Message;
+use crate::study::{Constraint, Goal};
 use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
 
-/// Number of bootstrap samples of recorded swings.
-const RESAMPLES: usize = 200;
-
-/// The swings of a request, and the setup whose parameters vary from swing to swing.
-pub struct SwingsRequest {
+/// The drives of a search: one drive, or many swings.
+pub struct SearchedDrives {
     /// The setup, with a value for each parameter that varies from swing to swing.
     pub setup: Setup<f64>,
-    pub swings: Swings,
+    /// The swings; `None` for one drive.
+    pub swings: Option<Swings>,
+    /// The options of the swings; without a value for one drive.
+    pub args: SwingsArgs,
+    /// The table of expected strokes, if one is given.
+    strokes: Option<Strokes>,
     /// True if the command resamples recorded swings.
-    pub is_resampled: bool,
+    is_resampled: bool,
+}
+
+impl SearchedDrives {
+    /// One drive: the setup of the request.
+    pub fn one(request: &Request) -> Self {
+        Self {
+            setup: request.partial_setup,
+            swings: None,
+            args: SwingsArgs::default(),
+            strokes: None,
+            is_resampled: false,
+        }
+    }
+
+    /// The ranges of `--vary` (`given`), or the default ranges of a search over these drives.
+    ///
+    /// # Errors
+    /// The errors of [`SearchRanges::new`].
+    pub fn ranges(&self, given: &[String], request: &Request) -> Result<SearchRanges> {
+        let defaults = match self.swings {
+            Some(_) => loft,
+            None => loft_and_attack_angle,
+        };
+        SearchRanges::new(given, request, self.setup, None, defaults)
+    }
+
+    /// The goal to maximize by default.
+    pub fn default_goal(&self) -> Goal {
+        match self.swings {
+            Some(_) => Goal::mean(Outcome::Carry),
+            None => Outcome::Carry.into(),
+        }
+    }
+
+    /// The goal in `text`, the value of the option `option`.
+    ///
+    /// # Errors
+    /// The errors of [`of_a_drive`] and of [`Goal::read`].
+    pub fn goal(&self, option: &str, text: &str) -> Result<Goal> {
+        match self.swings {
+            Some(_) => goal(option, text, self.strokes.as_ref()),
+            None => Ok(of_a_drive(option, text)?.into()),
+        }
+    }
+
+    /// The constraints of a search for the objectives `of`. Over swings, a constraint limits a goal
+    /// or an expression of parameters.
+    ///
+    /// # Errors
+    /// [`Error::Constraint`]; [`Error::Unreadable`] for a table of strokes that neither an objective
+    /// nor a constraint uses.
+    pub fn limits<const N: usize>(
+        &self,
+        setup: &Setup<f64>,
+        texts: &[String],
+        of: [&Goal; N],
+    ) -> Result<Vec<Constraint>> {
+        let strokes = self.strokes.as_ref();
+        let read = |text: &String| match self.swings {
+            None => Constraint::read(text),
+            Some(_) if Constraint::is_relation(text) => Constraint::read_relation(setup, text),
+            Some(_) => Constraint::read_over_swings(text, strokes),
+        };
+        let limits = texts.iter().map(read).collect::<Result<Vec<_>>>()?;
+        let goals = of.into_iter().chain(limits.iter().map(|limit| &limit.goal));
+        refuse_unused_strokes(strokes, goals, "`minimize \"strokes(400yd)\"`")?;
+        Ok(limits)
+    }
+
+    /// The scenarios for all goals of a search.
+    ///
+    /// # Errors
+    /// The errors of [`SwingsArgs::scenarios`].
+    pub fn scenarios<'a>(&self, goals: impl IntoIterator<Item = &'a Goal>) -> Result<Scenarios> {
+        match &self.swings {
+            Some(swings) => self.args.scenarios(swings, goals, self.is_resampled),
+            None => Ok(Scenarios::one_drive()),
+        }
+    }
 }
 
 impl SwingsArgs {
@@ -58,32 +132,44 @@ impl SwingsArgs {
         }
     }
 
+    /// The drives of a request. `is_resampled` is true if the command resamples recorded swings.
+    ///
+    /// # Errors
+    /// The errors of [`swings_of`](Self::swings_of) and of [`drives_over`](Self::drives_over).
+    pub(super) fn drives(&self, request: &Request, is_resampled: bool) -> Result<SearchedDrives> {
+        if !self.is_given() {
+            return Ok(SearchedDrives::one(request));
+        }
+        self.drives_over(self.swings_of(request)?, request, is_resampled)
+    }
+
     /// Reads the swings of a request. Refuses settings of the parameters that vary between the
-    /// swings. `is_resampled` is true if the command resamples recorded swings.
-    pub(super) fn request(&self, request: &Request, is_resampled: bool) -> Result<SwingsRequest> {
+    /// swings.
+    pub(super) fn swings_of(&self, request: &Request) -> Result<Swings> {
         let swings = self.read(&request.partial_setup)?;
         request
             .refuse_stated_besides_launch(&swings.parameters(), "the swings have values of it")?;
-        self.request_of(request, swings, is_resampled)
+        Ok(swings)
     }
 
-    /// The setup with the means of these swings. `is_resampled` is true if the command resamples
-    /// recorded swings.
-    pub(super) fn request_of(
+    /// These swings, with a setup that has their means.
+    pub(super) fn drives_over(
         &self,
-        request: &Request,
         swings: Swings,
+        request: &Request,
         is_resampled: bool,
-    ) -> Result<SwingsRequest> {
+    ) -> Result<SearchedDrives> {
         note_replaced(request, &swings);
         let setup = request.fill_missing(
             request.partial_setup,
             swings.parameters().into_iter().zip(swings.means()),
             "varies about",
         )?;
-        Ok(SwingsRequest {
+        Ok(SearchedDrives {
             setup,
-            swings,
+            swings: Some(swings),
+            args: self.clone(),
+            strokes: self.strokes()?,
             is_resampled,
         })
     }
@@ -120,7 +206,7 @@ impl SwingsArgs {
     }
 
     /// The table of expected strokes, if one is given.
-    pub(super) fn strokes(&self) -> Result<Option<Strokes>> {
+    fn strokes(&self) -> Result<Option<Strokes>> {
         self.strokes
             .as_ref()
             .map(|file| Strokes::open(file, false))
@@ -217,146 +303,6 @@ fn note_replaced(request: &Request, swings: &Swings) {
     }
 }
 
-/// The best design over swings, with its analyses.
-pub struct SwingsOptimum {
-    /// The setup before the search.
-    pub setup: Setup<f64>,
-    pub optima: Optima,
-    pub over: OverSwings,
-    /// The search and its analyses, which Ctrl-C can interrupt until this value is dropped.
-    pub work: InterruptibleWork,
-    /// The file that was written.
-    file: Option<String>,
-}
-
-impl SwingsOptimum {
-    pub fn report(&self) -> OptimizeReport<'_> {
-        OptimizeReport::new(&self.optima, Some(&self.over), None, self.file.clone())
-    }
-}
-
-/// Searches over swings.
-pub fn run(args: &OptimizeArgs) -> Result<Answer> {
-    let OptimumArgs {
-        setup_args, search, ..
-    } = &args.optimum;
-    let request = setup_args.request()?;
-    let over = args.swings.request(&request, true)?;
-    let ranges = SearchRanges::over_swings(&search.vary, &request, over.setup, loft)?;
-    let origin = ranges.origin(&request);
-    let origin = origin.with_stated(&args.swings.end_of_title());
-    let search = search_over_swings(
-        search,
-        &args.swings,
-        &over,
-        Goal::mean(Outcome::Carry),
-        ranges,
-    )?;
-    request.note_starts(&over.setup, &search.vary);
-    let found = optimize_and_write(args, &request, over.setup, over.swings, search)?;
-    let answer = Answer::report(&found.report(), &origin);
-    Ok(answer.found(found.optima.is_found()))
-}
-
-/// Runs the search, which Ctrl-C can stop, and writes the setup if a file is given.
-pub fn optimize_and_write(
-    args: &OptimizeArgs,
-    request: &Request,
-    setup: Setup<f64>,
-    swings: Swings,
-    search: Search,
-) -> Result<SwingsOptimum> {
-    note_the_run(&search.outcomes());
-    let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
-    let output = args.optimum.destination(request, args.swings.inputs())?;
-    let work = interrupt::enable(BEST_SO_FAR);
-    let stop = &work.stop;
-    let optima = args.optimum.optima_until(&setup, &search, stop)?;
-    let best = &optima.best;
-    let is_found = best.is_converged();
-    let mut analysis = None;
-    let mut resampled = None;
-    if is_found {
-        analysis = analyse_over_swings(&setup, &swings, best, stop)?;
-        if let Swings::Recorded { .. } = swings {
-            let seed = u64::from(args.swings.seed.unwrap_or(0));
-            resampled = bootstrap_optimum(&setup, best, RESAMPLES, seed, stop)?;
-        }
-    }
-    let mut warnings = best.warnings(stop);
-    if let Some(share) = best.beyond_strokes.filter(|share| *share > 0.0) {
-        let percent = 100.0 * share;
-        let percent = match percent < 0.1 {
-            true => "less than 0.1".into(),
-            false => format!("{percent:.1}"),
-        };
-        warnings.push(Message::from(format!(
-            "the balls of {percent} % of the swings end outside of the table of strokes, where \
-             it is extrapolated linearly"
-        )));
-    }
-    warn(warnings);
-    let file = write(output.as_ref(), request, &optima, Some(&swings))?;
-    Ok(SwingsOptimum {
-        setup,
-        optima,
-        over: OverSwings {
-            analysis,
-            resampled,
-        },
-        work,
-        file,
-    })
-}
-
-/// The search over swings. Without an objective it maximizes `default`.
-pub fn search_over_swings(
-    search: &SearchArgs,
-    swings: &SwingsArgs,
-    over: &SwingsRequest,
-    default: Goal,
-    ranges: SearchRanges,
-) -> Result<Search> {
-    let strokes = swings.strokes()?;
-    let strokes = strokes.as_ref();
-    let read = |option: &str, text: &str| goal(option, text, strokes);
-    let (of, sense) = search.objective(read, default)?;
-    let initialized = ranges.initialized;
-    let vary = ranges.vary()?;
-    let subject_to = limits(&initialized, &search.subject_to, [&of], strokes)?;
-    let mut search = Search {
-        of,
-        sense,
-        vary,
-        subject_to,
-        scenarios: Scenarios::one_drive(),
-        options: options(search.max_iterations),
-    };
-    search.scenarios = swings.scenarios(&over.swings, search.goals(), over.is_resampled)?;
-    Ok(search)
-}
-
-/// The constraints of a search for the objectives `of`. A constraint limits a goal or an expression
-/// of parameters.
-///
-/// # Errors
-/// [`Error::Unreadable`] for a table of strokes that neither an objective nor a constraint uses.
-pub fn limits<const N: usize>(
-    setup: &Setup<f64>,
-    texts: &[String],
-    of: [&Goal; N],
-    strokes: Option<&Strokes>,
-) -> Result<Vec<Constraint>> {
-    let read = |text: &String| match Constraint::is_relation(text) {
-        true => Constraint::read_relation(setup, text),
-        false => Constraint::read_over_swings(text, strokes),
-    };
-    let limits = texts.iter().map(read).collect::<Result<Vec<_>>>()?;
-    let goals = of.into_iter().chain(limits.iter().map(|limit| &limit.goal));
-    refuse_unused_strokes(strokes, goals, "`minimize \"strokes(400yd)\"`")?;
-    Ok(limits)
-}
-
 /// Refuses a table of strokes that none of the goals uses. `example` is an argument with a goal
 /// that uses strokes.
 fn refuse_unused_strokes<'a>(
@@ -376,7 +322,7 @@ fn refuse_unused_strokes<'a>(
 
 /// The goal in `text`, the value of the option `option`. An error shows the position of the fault
 /// in `text`.
-pub fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal> {
+fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal> {
     Goal::read(text, strokes).map_err(|error| match error {
         Error::Constraint {
             expression,
@@ -387,6 +333,21 @@ pub fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal>
             Error::unreadable(option, source)
         }
         error => error,
+    })
+}
+
+/// The outcome that `text`, the value of `option`, names. A goal over many swings is an error,
+/// because it needs a distribution of swings.
+pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
+    Outcome::named(text.trim()).map_err(|error| match text.contains('(') {
+        true => {
+            let source = format!(
+                "{text} is a goal over many swings; give the swings too, with `swings FILE` or \
+                 `distribution NAME=KIND(…)`"
+            );
+            Error::unreadable(option, source)
+        }
+        false => error,
     })
 }
 
