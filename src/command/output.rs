@@ -220,14 +220,10 @@ pub fn complain(error: &Error) -> u8 {
     note_error(error);
     // after an output error, no further output
     if is_json() && !matches!(error, Error::Output(_)) {
-        print_refusal(error.status(), error.to_string());
+        // ignore an error of the output: the first error is reported already
+        let _ = Answer::none(error.status(), error.to_string()).print();
     }
     if error.has_valid_input() { 1 } else { 2 }
-}
-
-/// Prints an answer without a result, as JSON. Ignores an error of the output.
-pub fn print_refusal(status: &'static str, message: String) {
-    let _ = Answer::none(status, message).print();
 }
 
 /// The progress of countable parts; `of` is their name in plural.

@@ -2,7 +2,7 @@
 
 use super::host::MessageKind;
 use super::mention::commands_with;
-use super::output::{Answer, complain, print_refusal};
+use super::output::{Answer, complain};
 use super::running::running;
 use super::wording::{advice_on, name_in_host_syntax};
 use crate::Error;
@@ -39,7 +39,7 @@ pub fn explain(mut error: clap::Error) -> u8 {
             .unwrap_or_default();
         let message = text.trim().trim_start_matches("error:").trim();
         let message = with_named_arguments(message, &error);
-        print_refusal("error", message);
+        let _ = Answer::none("error", message).print();
     }
     u8::try_from(error.exit_code()).unwrap_or(2)
 }
