@@ -832,6 +832,19 @@ test('the loop of time steps is beside the exact drive', async () => {
   });
 });
 
+test('the message of a refused loop is in the units of the page, also after a change of units', async () => {
+  await stay(async ({ page }) => {
+    if (await page.locator('details.loop[open]').count() === 0) await page.locator('.loop > summary').click();
+    await type(page, 'swing.speed', '900 mph');
+    const message = page.locator('.loop .message');
+    const isIn = unit => message.filter({ hasText: new RegExp(`at -[\\d.]+ ${unit},`) }).waitFor();
+    await isIn('mph');
+    await page.getByLabel('units').selectOption('metric');
+    await isIn('m/s');
+    await page.locator('.loop > summary').click();
+  });
+});
+
 test('the loop lies over the map and the slider of its parameter, while its view is open', async () => {
   await stay(async ({ page }) => {
     const parts = ['.map svg path.loop', '.loop-track svg'];

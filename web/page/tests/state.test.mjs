@@ -193,6 +193,20 @@ test('a text in any unit is read while another text is refused', { skip }, async
   assert.equal(explorer.value('air.altitude'), 1000);
 });
 
+test('every request states the units of the page', { skip }, async () => {
+  const sent = [];
+  const call = async (topic, { endpoint, request }) => {
+    sent.push(request);
+    return core[endpoint](request);
+  };
+  const calls = (topic, requests) => Promise.all(requests.map(each => call(topic, each)));
+  const lane = { isIdle: true, call, calls, command: () => new Promise(() => {}) };
+  const explorer = new page.Explorer(catalog, lane, lane, { ...page.START, units: 'metric' });
+  explorer.refresh();
+  while (!explorer.map.isCurrent) await new Promise(resolve => { setTimeout(resolve, 10); });
+  assert.deepEqual(sent.map(({ units }) => units), sent.map(() => 'metric'));
+});
+
 test('a warning of the best drive that differs from yours only in numbers is not shown again', { skip }, () => {
   // two drives near the best one, both with a landing flatter than any measured bounce
   const warned = loft => {

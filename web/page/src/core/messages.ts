@@ -1,10 +1,16 @@
 // Messages between the page and its workers.
 import type { Packed } from './load';
 
+/** The parts that all requests of calls have: the setup, and the units of messages. */
+export interface RequestBase {
+  setup: { preset: string; set: Readonly<Record<string, unknown>> };
+  units: string;
+}
+
 /** A function of the core that answers with numbers, and its request. */
 export interface Call {
   endpoint: 'drive' | 'map' | 'aim' | 'loop' | 'iterations';
-  request: Record<string, unknown>;
+  request: RequestBase & Record<string, unknown>;
 }
 
 /** A command of the program, with its input files. */

@@ -38,7 +38,7 @@ export function IterationsPicture(props: Props) {
   const design = explorer.design.value;
   const { answer: map, mark } = useAnswer(`${mapKey(design, axes)} ${JSON.stringify([names, design.set[axes.up]])}`, 0, async () => {
     const nodes = isCurve ? [CURVE, 2] as const : [NODES, NODES] as const;
-    const call = mapCall(axes, explorer.setup(), nodes);
+    const call = mapCall(axes, explorer.requestBase(), nodes);
     const numbers = await explorer.background.call('iterations map', call);
     if (!numbers) return undefined;
     return isRefused(numbers) ? null : readMap(numbers, axes);

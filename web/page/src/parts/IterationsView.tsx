@@ -26,10 +26,10 @@ export function IterationsView() {
 }
 
 async function search(explorer: Explorer): Promise<Iterations | { refused: string } | undefined> {
-  const { goal, units } = explorer.state.value;
+  const goal = explorer.goal.value;
   const names = explorer.varied.value;
   const ranges = names.map((name) => explorer.sliderRange(name));
-  const call = iterationsCall(explorer.setup(), goal, units, names, ranges);
+  const call = iterationsCall(explorer.requestBase(), goal, names, ranges);
   const numbers = await explorer.background.call('iterations', call);
   if (!numbers) return undefined;
   return isRefused(numbers)

@@ -22,7 +22,7 @@ interface LoopMap extends Grid {
 }
 
 async function fly(explorer: Explorer, map: MapData, nodes: number, step: number): Promise<LoopMap | null | undefined> {
-  const calls = loopMapCalls(map, explorer.setup(), nodes, step);
+  const calls = loopMapCalls(map, explorer.requestBase(), nodes, step);
   const answers = await explorer.background.calls(`loop map ${nodes}`, calls);
   if (!answers) return undefined;
   if (answers.some(isRefused)) return null;

@@ -30,7 +30,7 @@ function ErrorCurve({ name, step }: { name: string; step: number }) {
   const others = Object.entries(set).filter(([each]) => each !== name);
   const key = JSON.stringify([name, low, high, step, preset, others]);
   const { answer: loop, mark } = useAnswer(key, 150, async () => {
-    const call = loopCall(explorer.setup(), { name, low, high }, NODES, step, difference);
+    const call = loopCall(explorer.requestBase(), { name, low, high }, NODES, step, difference);
     const numbers = await explorer.background.call('loop slider', call);
     if (!numbers) return undefined;
     return isRefused(numbers) ? null : readLoop(numbers);

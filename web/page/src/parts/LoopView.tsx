@@ -27,7 +27,7 @@ async function flyLoop(explorer: Explorer, name: string, step: number, differenc
   const middle = explorer.value(name) ?? (low + high) / 2;
   const half = (PART * (high - low)) / 2;
   const along = { name, low: middle - half, high: middle + half };
-  const call = loopCall(explorer.setup(), along, NODES, step, difference);
+  const call = loopCall(explorer.requestBase(), along, NODES, step, difference);
   const numbers = await explorer.interactive.call('loop', call);
   if (!numbers) return undefined;
   return isRefused(numbers) ? { refused: refusalOf(numbers).message } : readLoop(numbers);
@@ -50,7 +50,7 @@ function Lecture({ explorer }: { explorer: Explorer }) {
   const [step, setStep] = useState(0.01);
   const [power, setPower] = useState(-2);
   const difference = 10 ** power * sizeOf(unit);
-  const key = JSON.stringify([explorer.design.value, name, step, power]);
+  const key = JSON.stringify([explorer.design.value, explorer.units.value, name, step, power]);
   const { answer, mark } = useAnswer(key, 100, () => flyLoop(explorer, name, step, difference));
   const slide = (label: string, value: number, low: number, high: number, by: number, text: string, set: (value: number) => void) => (
     <label class="lecture-slider">

@@ -1,7 +1,7 @@
 // The state of the page and the answers of the core about it. Components read its signals.
 import { batch, computed, signal } from '@preact/signals';
 import type { Lane, Progress } from '../core/lane';
-import type { Call, Reply } from '../core/messages';
+import type { Call, Reply, RequestBase } from '../core/messages';
 import type { Drive, Refusal, Slope } from '../drive/drive';
 import { isRefused, readDrive, readMissing, readSlopes, readStated, refusalOf } from '../drive/drive';
 import type { Design } from '../setup/design';
@@ -258,14 +258,14 @@ export class Explorer {
 
   // requests to the core
 
-  /** The setup of a request to the core. */
-  setup(design: Design = this.design.value) {
+  /** The setup of a request to the core, and the units of its messages. */
+  requestBase(design: Design = this.design.value): RequestBase {
     const isStated = 'flight.step' in design.set || 'flight.method' in design.set;
     const integration = this.catalog.preset(design.preset)?.integration;
     const chosen = integration && !isStated
       ? { 'flight.method': integration.method, 'flight.step': integration.step } : {};
     const { preset, set } = setupOf(design);
-    return { preset, set: { ...chosen, ...set } };
+    return { setup: { preset, set: { ...chosen, ...set } }, units: this.units.value };
   }
 
   #look() {
@@ -297,13 +297,13 @@ export class Explorer {
   }
 
   async #fly() {
-    const { goal, units } = this.state.value;
+    const goal = this.goal.value;
     const design = this.design.value;
     const question = this.drive.question();
-    const setup = this.setup();
+    const base = this.requestBase();
     const wrt = this.#priced();
     const calls: Call[] = [
-      { endpoint: 'drive', request: { setup, units, path: true, of: [goal], wrt, ...PRICES } }];
+      { endpoint: 'drive', request: { ...base, path: true, of: [goal], wrt, ...PRICES } }];
     const unset = this.#unsetCall();
     if (unset) calls.push(unset);
     const answers = await this.interactive.calls('drive', calls);
@@ -340,10 +340,11 @@ export class Explorer {
     const names = AIR_FIRST.filter((name) => this.value(name) === null
       && (groupOf(name) === 'wind' ? isCalm && !hasWind : !hasAir));
     if (names.length === 0) return null;
-    const setup = this.setup();
+    const { setup, units } = this.requestBase();
     const stated = Object.fromEntries(names.map((name) => [name, WHEN_UNSET[name] ?? 0]));
     const request = {
       setup: { ...setup, set: { ...setup.set, ...stated } },
+      units,
       of: [this.state.value.goal],
       wrt: names,
       outcomes: false,
@@ -367,18 +368,18 @@ export class Explorer {
       if (!best) this.ghost.give(question, null);
     });
     if (!best) return;
-    const setup = this.setup(withValues(design, best.texts));
-    const request = { setup, units: state.units, path: true, order: 0 };
+    const base = this.requestBase(withValues(design, best.texts));
+    const request = { ...base, path: true, order: 0 };
     const numbers = await this.interactive.call('ghost', { endpoint: 'drive', request });
     if (numbers && !isRefused(numbers)) this.ghost.give(question, readDrive(numbers));
   }
 
   async #flyDesigns() {
-    const { designs, units } = this.state.value;
+    const { designs } = this.state.value;
     if (designs.length < 2) return;
     const question = this.flownDesigns.question();
     const calls = designs.map((design): Call =>
-      ({ endpoint: 'drive', request: { setup: this.setup(design), units, path: true, order: 0 } }));
+      ({ endpoint: 'drive', request: { ...this.requestBase(design), path: true, order: 0 } }));
     const answers = await this.interactive.calls('designs', calls);
     if (!answers) return;
     this.flownDesigns.give(question, designs.map((design, at) => {
@@ -400,7 +401,7 @@ export class Explorer {
     if ((this.map.current?.columns ?? 0) >= nodes) return;
     const axes = this.#mapAxes();
     const question = this.map.question();
-    const numbers = await this.interactive.call('map', mapCall(axes, this.setup(), [nodes, nodes]));
+    const numbers = await this.interactive.call('map', mapCall(axes, this.requestBase(), [nodes, nodes]));
     if (!numbers) return;
     if (isRefused(numbers)) {
       this.mapMessage.give(question, refusalOf(numbers).message);
@@ -428,7 +429,7 @@ export class Explorer {
    */
   async aim(names: readonly [string, string], carry: number, lateral: number) {
     const vary = names.map((name) => ({ name, ...ends(this.sliderRange(name)) }));
-    const request = { setup: this.setup(), units: this.state.value.units, vary, carry, lateral };
+    const request = { ...this.requestBase(), vary, carry, lateral };
     const design = this.design.value;
     this.busy.value = true;
     const numbers = await this.interactive.call('aim', { endpoint: 'aim', request });

@@ -1,5 +1,5 @@
 // The iterations of the search for the best drive, each with its quadratic model.
-import type { Call, Numbers } from '../core/messages';
+import type { Call, Numbers, RequestBase } from '../core/messages';
 import type { SliderRange } from '../setup/slider';
 import type { Goal } from './state';
 
@@ -46,10 +46,10 @@ export interface Iterations {
 }
 
 export function iterationsCall(
-  setup: unknown, of: string, units: string, names: readonly string[], ranges: readonly SliderRange[],
+  base: RequestBase, of: string, names: readonly string[], ranges: readonly SliderRange[],
 ): Call {
   const vary = names.map((name, k) => ({ name, low: ranges[k]!.low, high: ranges[k]!.high }));
-  return { endpoint: 'iterations', request: { setup, units, of, vary } };
+  return { endpoint: 'iterations', request: { ...base, of, vary } };
 }
 
 export function readIterations({ head, block }: Numbers, goal: Goal, ranges: readonly SliderRange[]): Iterations {

@@ -1,6 +1,6 @@
 // The while-loop of the MAE 494 report beside the exact drive, along one parameter or over two
 // parameters.
-import type { Call, Numbers } from '../core/messages';
+import type { Call, Numbers, RequestBase } from '../core/messages';
 import type { MapAxes } from './map';
 
 /** Values at the nodes, SI; NaN without a landing. */
@@ -27,8 +27,8 @@ interface Along {
 const COLUMNS = 6;
 
 export const loopCall = (
-  setup: unknown, along: Along, nodes: number, step: number, difference: number,
-): Call => ({ endpoint: 'loop', request: { setup, along, nodes, step, difference } });
+  base: RequestBase, along: Along, nodes: number, step: number, difference: number,
+): Call => ({ endpoint: 'loop', request: { ...base, along, nodes, step, difference } });
 
 export function readLoop({ head, block }: Numbers): Loop {
   const nodes = Number(head.nodes);
@@ -45,16 +45,14 @@ export function worstOf({ loop, carry }: Pick<Loop, 'loop' | 'carry'>): number {
   }, 0);
 }
 
-interface LoopSetup {
-  set: Record<string, unknown>;
-}
-
 /** The calls for the loop over a map: one for each row, from the lowest. */
-export function loopMapCalls({ across, up, ranges }: MapAxes, setup: LoopSetup, nodes: number, step: number): Call[] {
+export function loopMapCalls(
+  { across, up, ranges }: MapAxes, base: RequestBase, nodes: number, step: number,
+): Call[] {
   const [along, { low, high }] = ranges;
   return Array.from({ length: nodes }, (_, row) => {
     const value = low + ((high - low) * row) / (nodes - 1);
-    const moved = { ...setup, set: { ...setup.set, [up]: value } };
-    return loopCall(moved, { name: across, low: along.low, high: along.high }, nodes, step, along.step);
+    const setup = { ...base.setup, set: { ...base.setup.set, [up]: value } };
+    return loopCall({ ...base, setup }, { name: across, low: along.low, high: along.high }, nodes, step, along.step);
   });
 }

@@ -1,5 +1,5 @@
 // The map: an outcome over two parameters.
-import type { Call, Numbers } from '../core/messages';
+import type { Call, Numbers, RequestBase } from '../core/messages';
 import type { Design } from '../setup/design';
 import type { SliderRange } from '../setup/slider';
 import type { Goal } from './state';
@@ -27,13 +27,13 @@ export function mapKey({ preset, set }: Design, { across, up, goal }: MapAxes): 
 
 /** The request for a map with these numbers of columns and rows. */
 export function mapCall(
-  { across, up, ranges, goal }: MapAxes, setup: unknown, nodes: readonly [number, number],
+  { across, up, ranges, goal }: MapAxes, base: RequestBase, nodes: readonly [number, number],
 ): Call {
   const [first, second] = [across, up].map((name, axis) => {
     const { low, high } = ranges[axis]!;
     return { name, low, high };
   });
-  const request = { setup, of: [goal], across: first, up: second, nodes };
+  const request = { ...base, of: [goal], across: first, up: second, nodes };
   return { endpoint: 'map', request };
 }
 
