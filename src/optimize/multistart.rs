@@ -41,14 +41,18 @@ pub struct Observers {
     pub interrupt: Arc<AtomicBool>,
     /// Checkpoint in which the searches are saved, and from which they resume.
     pub checkpoint: Option<Arc<Checkpoint>>,
+    /// True if every iteration contains its quadratic model, as in
+    /// [`Observer::models`](super::Observer::models).
+    pub models: bool,
 }
 
 impl Observers {
-    /// The observer of search `number`: its callback and the interrupt flag, without the
+    /// The observer of search `number`: its callback, its models and the interrupt flag, without the
     /// checkpoint.
     pub(crate) fn of_search(&self, number: usize) -> Observer {
         let mut observer = Observer {
             interrupt: self.interrupt.clone(),
+            models: self.models,
             ..Observer::default()
         };
         if let Some(show) = self.iteration.clone() {

@@ -3,14 +3,14 @@
 use crate::message;
 use crate::refusal::Refusal;
 use crate::request::{RangeRequest, SetupRequest};
-use longdrive::optimize::{Iteration, Observer, QuadraticModel};
+use longdrive::optimize::{Iteration, Observers, QuadraticModel};
 use longdrive::parameters::Vary;
-use longdrive::study::{Optimum, Search, optimum};
+use longdrive::study::{Optimum, Search, optima};
 use longdrive::units::System;
 use longdrive::{Error, Outcome, Setup};
 use serde::{Deserialize, Serialize};
-use std::cell::RefCell;
-use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::mpsc::{self, Sender};
 
 /// The head of a request: the setup, the outcome to maximize, and the ranges of parameters.
 #[derive(Clone, Debug, Deserialize)]
@@ -33,8 +33,12 @@ struct Head<'a> {
     iterations: usize,
 }
 
-/// The iterations of one search, in order.
-type Iterations = Vec<Iteration>;
+/// An iteration, and the search that it belongs to: 0 from the setup's values, 1 from a point of the
+/// sample.
+struct Observed {
+    search: usize,
+    iteration: Iteration,
+}
 
 /// Answers with the optimum, and with the iterations of the searches in the block.
 ///
@@ -48,58 +52,53 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         vary: vary.collect::<Result<_, _>>()?,
         ..Search::largest(of.first().copied().unwrap_or(Outcome::Carry))
     };
-    let found = searches(&checked.setup, &search).map_err(|error| checked.refused(&error))?;
+    let (sender, receiver) = mpsc::channel();
+    let best = best(&checked.setup, &search, sender).map_err(|error| checked.refused(&error))?;
+    let observed: Vec<Observed> = receiver.try_iter().collect();
+    let mut shown = 0;
     let mut numbers = vec![];
-    for (number, iterations) in found.iterations.iter().enumerate() {
-        for (at, iteration) in iterations.iter().enumerate() {
-            numbers.push(number as f64);
-            append(&search, iteration, iterations.get(at + 1), &mut numbers);
+    for iterations in observed.chunk_by(|_, next| next.iteration.number > 0) {
+        if !is_shown(iterations, &best) {
+            continue;
+        }
+        shown += iterations.len();
+        for (at, observed) in iterations.iter().enumerate() {
+            numbers.push(observed.search as f64);
+            let next = iterations.get(at + 1).map(|next| &next.iteration);
+            append(&search, &observed.iteration, next, &mut numbers);
         }
     }
     let head = Head {
         status: "done",
-        message: checked.text(&found.optimum.message()),
+        message: checked.text(&best.message()),
         of: &request.of,
         parameters: search.vary.iter().map(|vary| vary.parameter.name).collect(),
-        iterations: found.iterations.iter().map(Vec::len).sum(),
+        iterations: shown,
     };
     Ok(message::with_numbers(&head, &numbers))
 }
 
-/// The searches that led to the best drive.
-struct Searches {
-    optimum: Optimum,
-    iterations: Vec<Iterations>,
-}
-
-/// The search from the setup's values. If a sample of the ranges led to a better drive, also the
-/// search from that point of the sample.
-fn searches(setup: &Setup<f64>, search: &Search) -> Result<Searches, Error> {
-    let (optimum, first) = observed(setup, search)?;
-    let mut iterations = vec![first];
-    if optimum.sample.is_some_and(|sample| sample.improved) {
-        let mut moved = *setup;
-        for (vary, value) in search.vary.iter().zip(&optimum.solution.initial_point) {
-            moved.set_value(vary.parameter, Some(*value))?;
-        }
-        iterations.push(observed(&moved, search)?.1);
-    }
-    Ok(Searches {
-        optimum,
-        iterations,
-    })
-}
-
-/// The optimum, with the iterations of the search from the setup's own values.
-fn observed(setup: &Setup<f64>, search: &Search) -> Result<(Optimum, Iterations), Error> {
-    let kept = Rc::new(RefCell::new(vec![]));
-    let iterations = Rc::clone(&kept);
-    let observer = Observer {
-        models: true,
-        ..Observer::showing(move |iteration| iterations.borrow_mut().push(iteration.clone()))
+/// Finds the best drive. Its iterations go to `sender`, search by search.
+fn best(setup: &Setup<f64>, search: &Search, sender: Sender<Observed>) -> Result<Optimum, Error> {
+    let send = move |search: usize, iteration: &Iteration| {
+        let iteration = iteration.clone();
+        sender.send(Observed { search, iteration }).ok();
     };
-    let optimum = optimum(setup, search.clone(), observer)?;
-    Ok((optimum, kept.take()))
+    let observers = Observers {
+        iteration: Some(Arc::new(send)),
+        models: true,
+        ..Observers::default()
+    };
+    Ok(optima(setup, search, 1, &observers)?.best)
+}
+
+/// True for the search from the setup's values. If a search from a point of the sample led to a
+/// better drive, also true for that search.
+fn is_shown(iterations: &[Observed], best: &Optimum) -> bool {
+    let is_improved = best.sample.is_some_and(|sample| sample.improved);
+    iterations.first().is_some_and(|first| {
+        first.search == 0 || is_improved && first.iteration.x == best.solution.initial_point
+    })
 }
 
 /// Appends the numbers of an iteration after the number of its search, in the order of the README.
