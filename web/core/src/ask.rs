@@ -84,17 +84,15 @@ pub fn answer(request: &Request, block: &[u8], show: ShowProgress) -> Result<Vec
         width: request.width.unwrap_or(WIDTH),
         mentions: request.mentions,
         show,
-        state: Mutex::default(),
+        answer: Mutex::default(),
+        said: Mutex::default(),
+        outputs: Mutex::default(),
     });
     let words = [PROGRAM]
         .into_iter()
         .chain(request.words.iter().map(String::as_str));
     let exit = run(words.map(OsString::from).collect(), page.clone());
-    let HostState {
-        answer,
-        said,
-        outputs,
-    } = std::mem::take(&mut *page.state());
+    let outputs = std::mem::take(&mut *lock(&page.outputs));
     let files = outputs.iter().map(|(name, content)| FileOfBlock {
         name: name.display().to_string(),
         bytes: content.len(),
@@ -106,8 +104,8 @@ pub fn answer(request: &Request, block: &[u8], show: ShowProgress) -> Result<Vec
             _ => "error",
         },
         exit,
-        answer: String::from_utf8_lossy(&answer).into_owned(),
-        said,
+        answer: String::from_utf8_lossy(&lock(&page.answer)).into_owned(),
+        said: std::mem::take(&mut *lock(&page.said)),
         files: files.collect(),
     };
     let contents: Vec<_> = outputs.into_iter().map(|(_, content)| content).collect();
@@ -136,21 +134,14 @@ struct Page {
     width: usize,
     mentions: Mentions,
     show: ShowProgress,
-    state: Mutex<HostState>,
+    answer: Mutex<Vec<u8>>,
+    said: Mutex<Vec<ShownMessage>>,
+    outputs: Mutex<Vec<(PathBuf, Vec<u8>)>>,
 }
 
-/// Output of a command so far.
-#[derive(Default)]
-struct HostState {
-    answer: Vec<u8>,
-    said: Vec<ShownMessage>,
-    outputs: Vec<(PathBuf, Vec<u8>)>,
-}
-
-impl Page {
-    fn state(&self) -> MutexGuard<'_, HostState> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
+/// Locks a value that stays usable after a panic.
+fn lock<T>(value: &Mutex<T>) -> MutexGuard<'_, T> {
+    value.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Removes the escape sequences of colours from a text.
@@ -164,7 +155,7 @@ impl Host for Page {
     }
 
     fn write(&self, rows: &[u8]) -> io::Result<()> {
-        let answer = &mut self.state().answer;
+        let mut answer = lock(&self.answer);
         if answer.len() + rows.len() > MOST_BYTES {
             let why = "it is larger than 64 MB, the largest answer of a page";
             return Err(io::Error::other(why));
@@ -176,7 +167,7 @@ impl Host for Page {
     fn say(&self, kind: MessageKind, text: &str) {
         let kind = kind.name();
         let text = plain(text);
-        self.state().said.push(ShownMessage { kind, text });
+        lock(&self.said).push(ShownMessage { kind, text });
     }
 
     fn width(&self) -> usize {
@@ -208,7 +199,7 @@ impl Host for Page {
     }
 
     fn keep(&self, name: &Path, content: Vec<u8>) {
-        self.state().outputs.push((name.into(), content));
+        lock(&self.outputs).push((name.into(), content));
     }
 
     fn show_progress(&self, _: Work<'_>) -> Arc<dyn Progress> {
