@@ -134,7 +134,7 @@ export class Core {
    * @returns {{ head: any, bytes: Uint8Array }}
    */
   #call(endpoint, request, contents) {
-    const head = encoder.encode(JSON.stringify(request));
+    const head = encoder.encode(JSON.stringify({ [endpoint]: request }));
     const block = contents.reduce((sum, content) => sum + content.length, 0);
     const length = 2 * LENGTH + head.length + block;
     const address = this.#exports.input(length);
@@ -147,7 +147,7 @@ export class Core {
       place.set(part, at);
       at += part.length;
     }
-    this.#exports[endpoint]();
+    this.#exports.answer();
     return this.#answer();
   }
 

@@ -1,13 +1,13 @@
-//! The core of the explorer: longdrive for WebAssembly, behind seven functions.
+//! The core of the explorer: longdrive for WebAssembly, with seven functions.
 //!
-//! `README.md` has their requests and answers. A function reads a [`message`], calls the library,
-//! and writes a message; nothing is kept between two calls.
+//! `README.md` has their requests and answers. A function reads a [`Request`], calls the library,
+//! and writes a [`message`]; nothing is kept between two calls.
 
 pub mod aim;
 pub mod ask;
 pub mod drive;
 #[cfg(target_family = "wasm")]
-mod endpoints;
+mod exports;
 pub mod iterations;
 pub mod map;
 pub mod message;
@@ -20,41 +20,44 @@ pub mod words;
 use ask::ShowProgress;
 use message::Message;
 use refusal::Refusal;
-use serde::de::DeserializeOwned;
+use serde::Deserialize;
 
-/// The functions that the core offers to the page.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Endpoint {
+/// The head of a request: the function of the core that answers it, and its parts.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Request {
     /// A command of the program.
-    Ask,
+    Ask(ask::Request),
     /// A drive with derivatives and path.
-    Drive,
+    Drive(drive::Request),
     /// Outcomes over two parameters.
-    Map,
+    Map(map::Request),
     /// The values of two parameters with which the ball lands at a point.
-    Aim,
+    Aim(aim::Request),
     /// The while-loop of the MAE 494 report.
-    Loop,
+    Loop(while_loop::Request),
     /// The step of the integration.
-    Step,
+    Step(step::Request),
     /// The iterations of the search for the best drive.
-    Iterations,
+    Iterations(iterations::Request),
 }
 
-/// Answers a request. A request that cannot be answered has an answer with the reason.
-pub fn answered(endpoint: Endpoint, request: &[u8], show: ShowProgress) -> Vec<u8> {
-    let answer = Message::read(request).and_then(|request| match endpoint {
-        Endpoint::Ask => ask::answer(&head(&request)?, request.block, show),
-        Endpoint::Drive => drive::answer(&head(&request)?),
-        Endpoint::Map => map::answer(&head(&request)?),
-        Endpoint::Aim => aim::answer(&head(&request)?),
-        Endpoint::Loop => while_loop::answer(&head(&request)?),
-        Endpoint::Step => step::answer(&head(&request)?),
-        Endpoint::Iterations => iterations::answer(&head(&request)?),
-    });
+/// Answers a message. A request that cannot be answered has an answer with the reason.
+pub fn answered(message: &[u8], show: ShowProgress) -> Vec<u8> {
+    let answer = Message::read(message).and_then(|message| answer(&message, show));
     answer.unwrap_or_else(|refusal| message::with_numbers(&refusal, &refusal.values))
 }
 
-fn head<T: DeserializeOwned>(request: &Message<'_>) -> Result<T, Refusal> {
-    serde_json::from_slice(request.head).map_err(|error| Refusal::of_request(&error.to_string()))
+fn answer(message: &Message<'_>, show: ShowProgress) -> Result<Vec<u8>, Refusal> {
+    let request = serde_json::from_slice(message.head)
+        .map_err(|error| Refusal::of_request(&error.to_string()))?;
+    match request {
+        Request::Ask(request) => ask::answer(&request, message.block, show),
+        Request::Drive(request) => drive::answer(&request),
+        Request::Map(request) => map::answer(&request),
+        Request::Aim(request) => aim::answer(&request),
+        Request::Loop(request) => while_loop::answer(&request),
+        Request::Step(request) => step::answer(&request),
+        Request::Iterations(request) => iterations::answer(&request),
+    }
 }

@@ -425,7 +425,7 @@ test('malformed input gets a message and never a trap', async () => {
   const { instance, call } = await raw();
   for (let k = 0; k < 500; k += 1) {
     const bytes = Uint8Array.from({ length: Math.floor(40 * next()) }, () => Math.floor(256 * next()));
-    isAnswered(call(pick(endpoints), bytes));
+    isAnswered(call(bytes));
   }
   assert.ok(instance.exports.memory.buffer.byteLength < 1 << 28);
 });
@@ -438,10 +438,10 @@ async function raw() {
   await start();
   WebAssembly.instantiate = Instance;
   const { memory, input, output } = instance.exports;
-  const call = (endpoint, bytes) => {
+  const call = bytes => {
     const address = input(bytes.length);
     new Uint8Array(memory.buffer, address, bytes.length).set(bytes);
-    instance.exports[endpoint]();
+    instance.exports.answer();
     const at = output();
     const length = new DataView(memory.buffer, at, 8).getUint32(0, true);
     return JSON.parse(new TextDecoder().decode(new Uint8Array(memory.buffer, at + 8, length)));

@@ -5,7 +5,7 @@
     reason = "exported names, and the functions of the linker and of the page"
 )]
 
-use crate::{Endpoint, answered};
+use crate::answered;
 use std::cell::RefCell;
 
 thread_local! {
@@ -46,45 +46,11 @@ extern "C" fn output() -> *const u8 {
     ANSWER.with_borrow(Vec::as_ptr)
 }
 
-#[unsafe(no_mangle)]
-extern "C" fn ask() -> usize {
-    answer(Endpoint::Ask)
-}
-
-#[unsafe(no_mangle)]
-extern "C" fn drive() -> usize {
-    answer(Endpoint::Drive)
-}
-
-#[unsafe(no_mangle)]
-extern "C" fn map() -> usize {
-    answer(Endpoint::Map)
-}
-
-#[unsafe(no_mangle)]
-extern "C" fn aim() -> usize {
-    answer(Endpoint::Aim)
-}
-
-#[unsafe(export_name = "loop")]
-extern "C" fn while_loop() -> usize {
-    answer(Endpoint::Loop)
-}
-
-#[unsafe(no_mangle)]
-extern "C" fn step() -> usize {
-    answer(Endpoint::Step)
-}
-
-#[unsafe(no_mangle)]
-extern "C" fn iterations() -> usize {
-    answer(Endpoint::Iterations)
-}
-
 /// Answers the request, and returns the size of the answer, bytes.
-fn answer(endpoint: Endpoint) -> usize {
+#[unsafe(no_mangle)]
+extern "C" fn answer() -> usize {
     let request = REQUEST.take();
-    let answer = answered(endpoint, &request, |done, of| progress(done, of));
+    let answer = answered(&request, |done, of| progress(done, of));
     let bytes = answer.len();
     ANSWER.set(answer);
     bytes
