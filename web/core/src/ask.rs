@@ -14,9 +14,6 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// The name of the program, the first word of a command line.
 const PROGRAM: &str = "longdrive";
 
-/// The width of answers as text, columns.
-const WIDTH: usize = 80;
-
 /// Receives the number of completed parts of long work, and the number of all parts.
 pub type ShowProgress = fn(done: f64, of: f64);
 
@@ -29,13 +26,7 @@ const MOST_BYTES: usize = 64_000_000;
 pub struct Request {
     words: Vec<String>,
     #[serde(default)]
-    input: Option<String>,
-    #[serde(default)]
     files: Vec<FileOfBlock>,
-    #[serde(default)]
-    width: Option<usize>,
-    #[serde(default)]
-    mentions: Mentions,
 }
 
 /// A file whose content is in the block.
@@ -44,17 +35,6 @@ pub struct Request {
 pub struct FileOfBlock {
     name: String,
     bytes: usize,
-}
-
-/// The syntax of arguments in messages.
-#[derive(Clone, Copy, Debug, Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Mentions {
-    /// Options, as on the command line.
-    #[default]
-    Program,
-    /// Labels of the fields of the page, without hyphens.
-    Page,
 }
 
 #[derive(Serialize)]
@@ -80,9 +60,6 @@ struct ShownMessage {
 pub fn answer(request: &Request, block: &[u8], show: ShowProgress) -> Result<Vec<u8>, Refusal> {
     let page = Arc::new(Page {
         inputs: inputs(&request.files, block)?,
-        setup: request.input.clone(),
-        width: request.width.unwrap_or(WIDTH),
-        mentions: request.mentions,
         show,
         answer: Mutex::default(),
         said: Mutex::default(),
@@ -129,10 +106,6 @@ fn inputs(files: &[FileOfBlock], mut block: &[u8]) -> Result<MemoryFiles, Refusa
 /// The page, which is the host of its commands.
 struct Page {
     inputs: MemoryFiles,
-    /// The text of the setup `-`.
-    setup: Option<String>,
-    width: usize,
-    mentions: Mentions,
     show: ShowProgress,
     answer: Mutex<Vec<u8>>,
     said: Mutex<Vec<ShownMessage>>,
@@ -170,24 +143,8 @@ impl Host for Page {
         lock(&self.said).push(ShownMessage { kind, text });
     }
 
-    fn width(&self) -> usize {
-        self.width
-    }
-
     fn mention(&self, mention: Mention<'_>) -> String {
-        match self.mentions {
-            Mentions::Program => mention.in_command_line_syntax(),
-            Mentions::Page => page_words(mention),
-        }
-    }
-
-    fn input(&self) -> io::Result<String> {
-        let text = self.setup.clone();
-        text.ok_or_else(|| io::Error::other("no text was given"))
-    }
-
-    fn setup_name(&self) -> &'static str {
-        "the setup"
+        page_words(mention)
     }
 
     fn files(&self) -> MemoryFiles {

@@ -3,7 +3,7 @@
 use crate::message;
 use crate::refusal::Refusal;
 use crate::request::{CheckedSetup, SetupRequest};
-use longdrive::derivative::{Order, Taylor, diagonal, evaluate};
+use longdrive::derivative::{Taylor, diagonal};
 use longdrive::flight::{Flight, Trajectory, trajectory};
 use longdrive::number::Vector;
 use longdrive::parameters::{Parameter, idle_warnings};
@@ -23,10 +23,6 @@ pub struct Request {
     of: Vec<String>,
     #[serde(default)]
     wrt: Vec<String>,
-    #[serde(default)]
-    order: u8,
-    #[serde(default)]
-    diagonal: bool,
     /// False if only derivatives are requested.
     #[serde(default = "yes")]
     outcomes: bool,
@@ -45,8 +41,6 @@ struct Head<'a> {
     outcomes: Vec<&'static str>,
     of: &'a [String],
     wrt: &'a [String],
-    order: u8,
-    diagonal: bool,
     path: usize,
     run: usize,
     stated: Vec<&'a str>,
@@ -81,8 +75,6 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         outcomes: vec![],
         of: &request.of,
         wrt: &request.wrt,
-        order: request.order,
-        diagonal: request.diagonal,
         path: 0,
         run: 0,
         stated: vec![],
@@ -137,24 +129,9 @@ impl Head<'_> {
     }
 }
 
-fn order(request: &Request) -> Result<Order, Refusal> {
-    match request.order {
-        0 => Ok(Order::Value),
-        1 => Ok(Order::First),
-        2 => Ok(Order::Second),
-        other => {
-            let why = format!("order is {other}; expected 0, 1 or 2");
-            Err(Refusal::of_request(&why))
-        }
-    }
-}
-
-/// The derivatives of one drive.
+/// The first derivatives of one drive, and the second derivatives by each parameter alone.
 struct Derivatives<'a> {
     checked: &'a CheckedSetup<'a>,
-    order: Order,
-    /// True if only the diagonals of the Hessians are computed.
-    is_diagonal: bool,
     /// The requested parameters; `None` for one without derivatives in this setup.
     parameters: Vec<Option<&'static Parameter>>,
     missing: Vec<Missing>,
@@ -164,12 +141,10 @@ impl<'a> Derivatives<'a> {
     /// Finds the requested parameters in the setup.
     ///
     /// # Errors
-    /// For an unknown name, and for an order other than 0, 1 and 2.
+    /// For an unknown name.
     fn new(checked: &'a CheckedSetup<'a>, request: &Request) -> Result<Self, Refusal> {
         let mut derivatives = Self {
             checked,
-            order: order(request)?,
-            is_diagonal: request.diagonal,
             parameters: vec![],
             missing: vec![],
         };
@@ -193,48 +168,34 @@ impl<'a> Derivatives<'a> {
 
     /// Expands derivatives by the known parameters to the columns of all requested parameters; the
     /// other columns are NaN.
-    fn widened(&self, taylor: &Taylor) -> Taylor {
-        let columns = self.parameters.iter().enumerate();
-        let known: Vec<usize> = columns
-            .filter(|(_, parameter)| parameter.is_some())
-            .map(|(column, _)| column)
-            .collect();
-        let mut wide = undefined(self.parameters.len());
-        for (i, row) in known.iter().enumerate() {
-            wide.gradient[*row] = taylor.gradient[i];
-            for (k, column) in known.iter().enumerate().take(taylor.hessian.len()) {
-                wide.hessian[*row][*column] = taylor.hessian[i][k];
-            }
-        }
-        wide
+    fn widened(&self, mut known: impl Iterator<Item = f64>) -> impl Iterator<Item = f64> {
+        let columns = self.parameters.iter();
+        columns.map(move |parameter| match parameter {
+            Some(_) => known.next().unwrap_or(f64::NAN),
+            None => f64::NAN,
+        })
     }
 
-    /// Appends gradients and Hessians, with NaN for derivatives that do not exist. Returns the
-    /// reasons for the missing ones.
+    /// Appends first, then second derivatives of each outcome, with NaN for derivatives that do not
+    /// exist. Returns the reasons for the missing ones.
     fn append(mut self, of: &[Outcome], numbers: &mut Vec<f64>) -> Result<Vec<Missing>, Refusal> {
-        if of.is_empty() || self.parameters.is_empty() || self.order == Order::Value {
+        if of.is_empty() || self.parameters.is_empty() {
             return Ok(vec![]);
         }
         let mut missing = std::mem::take(&mut self.missing);
         for taylor in self.each(of, &mut missing)? {
-            numbers.extend(taylor.gradient);
-            if self.order < Order::Second {
-                continue;
-            }
-            if self.is_diagonal {
-                numbers.extend((0..self.parameters.len()).map(|k| taylor.hessian[k][k]));
-            } else {
-                numbers.extend(taylor.hessian.into_iter().flatten());
-            }
+            let second = taylor.hessian.iter().enumerate().map(|(k, row)| row[k]);
+            numbers.extend(self.widened(taylor.gradient.iter().copied()));
+            numbers.extend(self.widened(second));
         }
         Ok(missing)
     }
 
-    /// The derivatives of each outcome. If one outcome has no value, the other outcomes still have
-    /// derivatives.
+    /// The derivatives of each outcome; an empty gradient and Hessian if they do not exist. If one
+    /// outcome has no value, the other outcomes still have derivatives.
     fn each(&self, of: &[Outcome], missing: &mut Vec<Missing>) -> Result<Vec<Taylor>, Refusal> {
         if self.parameters.iter().all(Option::is_none) {
-            return Ok(vec![undefined(self.parameters.len()); of.len()]);
+            return Ok(vec![Taylor::default(); of.len()]);
         }
         match self.evaluated(of) {
             Ok(taylors) => Ok(taylors),
@@ -254,31 +215,14 @@ impl<'a> Derivatives<'a> {
                     wrt: None,
                     message: self.checked.refused(&error).message,
                 });
-                undefined(self.parameters.len())
+                Taylor::default()
             }
         }
     }
 
     fn evaluated(&self, of: &[Outcome]) -> Result<Vec<Taylor>, Error> {
         let wrt: Vec<_> = self.parameters.iter().flatten().copied().collect();
-        let setup = &self.checked.setup;
-        let taylors = if self.is_diagonal && self.order == Order::Second {
-            diagonal(setup, of, &wrt)?
-        } else {
-            evaluate(setup, of, &wrt, self.order)?
-        };
-        let wide = taylors.iter().map(|taylor| self.widened(taylor));
-        Ok(wide.collect())
-    }
-}
-
-/// An outcome without a value and without derivatives: all numbers are NaN.
-fn undefined(parameters: usize) -> Taylor {
-    let none = vec![f64::NAN; parameters];
-    Taylor {
-        value: f64::NAN,
-        hessian: vec![none.clone(); parameters],
-        gradient: none,
+        diagonal(&self.checked.setup, of, &wrt)
     }
 }
 

@@ -33,7 +33,7 @@ struct Head<'a> {
     iterations: usize,
 }
 
-/// An iteration, and the search that it belongs to: 0 from the setup's values, 1 from a point of the
+/// An iteration, and the number of its search: 0 from the setup's values, 1 from a point of the
 /// sample.
 struct Observed {
     search: usize,

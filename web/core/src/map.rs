@@ -23,8 +23,6 @@ pub struct Request {
     across: RangeRequest,
     up: RangeRequest,
     nodes: [usize; 2],
-    #[serde(default)]
-    gradients: bool,
 }
 
 #[derive(Serialize)]
@@ -33,10 +31,9 @@ struct Head<'a> {
     columns: usize,
     rows: usize,
     of: &'a [String],
-    gradients: bool,
 }
 
-/// Answers with the outcomes at the nodes, and their derivatives if the request asks for them.
+/// Answers with the outcomes at the nodes.
 ///
 /// # Errors
 /// The message of the program, if there is no map.
@@ -56,26 +53,15 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         );
         return Err(Refusal::of_request(&why));
     }
-    let order = match request.gradients {
-        true => Order::First,
-        false => Order::Value,
-    };
-    let plane = Plane::fly(&checked.setup, &of, across, up, nodes, order);
+    let plane = Plane::fly(&checked.setup, &of, across, up, nodes, Order::Value);
     let plane = plane.map_err(|error| checked.refused(&error))?;
-    let mut numbers = Vec::with_capacity(columns * rows * of.len());
-    for (of, values) in plane.values.iter().enumerate() {
-        numbers.extend(values.iter().map(|value| value.unwrap_or(f64::NAN)));
-        for axis in 0..if request.gradients { 2 } else { 0 } {
-            let gradients = plane.gradients[of].iter();
-            numbers.extend(gradients.map(|found| found.map_or(f64::NAN, |found| found[axis])));
-        }
-    }
+    let values = plane.values.iter().flatten();
+    let numbers: Vec<f64> = values.map(|value| value.unwrap_or(f64::NAN)).collect();
     let head = Head {
         status: "done",
         columns,
         rows,
         of: &request.of,
-        gradients: request.gradients,
     };
     Ok(message::with_numbers(&head, &numbers))
 }

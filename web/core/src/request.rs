@@ -8,7 +8,7 @@ use longdrive::{Error, Outcome, Setup};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
-/// Name, in messages, of a setup file that has no name.
+/// The name of a setup file in messages.
 const SETUP_FILE: &str = "setup";
 
 /// A setup: a preset or a setup file, and changes.
@@ -17,7 +17,6 @@ const SETUP_FILE: &str = "setup";
 pub struct SetupRequest {
     preset: Option<String>,
     toml: Option<String>,
-    name: Option<String>,
     set: Map<String, Value>,
 }
 
@@ -73,10 +72,7 @@ impl SetupRequest {
 
     fn source(&self) -> Result<Setup<f64>, Error> {
         match (&self.toml, &self.preset) {
-            (Some(text), _) => {
-                let file = self.name.as_deref().unwrap_or(SETUP_FILE);
-                SetupFile::read(text, file).map(|file| file.setup)
-            }
+            (Some(text), _) => SetupFile::read(text, SETUP_FILE).map(|file| file.setup),
             (None, Some(preset)) => Setup::preset(preset),
             (None, None) => Setup::preset(DEFAULT_PRESET),
         }

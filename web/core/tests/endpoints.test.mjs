@@ -22,8 +22,7 @@ function drive(request) {
   let at = head.outcomes?.length ?? 0;
   const take = count => block.subarray(at, at += count);
   const n = head.wrt?.length ?? 0;
-  const derivatives = (head.order > 0 && n > 0 ? head.of : []).map(of =>
-    ({ of, gradient: take(n), hessian: head.order === 2 ? take(head.diagonal ? n : n * n) : null }));
+  const derivatives = (n > 0 ? head.of : []).map(of => ({ of, first: take(n), second: take(n) }));
   const path = Array.from({ length: head.path ?? 0 }, () => take(4));
   const run = Array.from({ length: head.run ?? 0 }, () => take(3));
   const stated = Object.fromEntries(head.stated?.map(name => [name, take(1)[0]]) ?? []);
@@ -36,7 +35,7 @@ test('same outcomes and derivatives of a drive as the program', () => {
   const wrt = ['club.loft', 'swing.speed', 'swing.attack_angle', 'strike.toe', 'wind.right'];
   for (let k = 0; k < 30; k += 1) {
     const setup = randomStrike(next);
-    const { head, outcomes, derivatives } = drive({ setup, of: ['carry', 'total', 'spin'], wrt, order: 2 });
+    const { head, outcomes, derivatives } = drive({ setup, of: ['carry', 'total', 'spin'], wrt });
     const simulated = JSON.parse(run(['simulate', ...wordsOf(setup), '--json']).stdout);
     assert.equal(head.status, simulated.status);
     const { said } = core.ask({ words: ['simulate', ...wordsOf(setup)] }).head;
@@ -48,42 +47,34 @@ test('same outcomes and derivatives of a drive as the program', () => {
     const told = JSON.parse(run(words).stdout).outcomes;
     // SI sizes of the units of prices: degree, mph, degree, inch, mph
     const units = [DEG, 0.44704, DEG, 0.0254, 0.44704];
-    derivatives.forEach(({ of, gradient, hessian }, k) => {
+    derivatives.forEach(({ of, first, second }, k) => {
       const size = of === 'spin' ? 1 : YARD;
       wrt.forEach((name, i) => {
-        close(gradient[i] * units[i] / size, told[k].gradient[name] * units[i] / size, 1e-6, `${of} per ${name}`);
-        wrt.forEach((_, j) => {
-          const part = units[i] * units[j] / size;
-          close(hessian[i * wrt.length + j] * part, told[k].hessian.values[i][j] * part, 1e-6, `${of} by ${name}`);
-        });
+        close(first[i] * units[i] / size, told[k].gradient[name] * units[i] / size, 1e-6, `${of} per ${name}`);
+        const part = units[i] ** 2 / size;
+        close(second[i] * part, told[k].hessian.values[i][i] * part, 1e-6, `${of} by ${name}`);
       });
     });
   }
 });
 
-test('same derivatives with the diagonals of Hessians as with Hessians', () => {
+test('same derivatives without outcomes as with outcomes', () => {
   const next = random(11);
   const wrt = ['club.loft', 'swing.speed', 'air.density', 'swing.attack_angle', 'swing.path', 'strike.toe', 'strike.high', 'wind.right'];
   for (let k = 0; k < 20; k += 1) {
-    const request = { setup: randomSetup(next), of: ['carry', 'total', 'spin'], wrt, order: 2 };
-    const whole = drive(request);
-    const { head, derivatives } = drive({ ...request, diagonal: true });
-    assert.deepEqual(head.missing, whole.head.missing);
-    const alone = drive({ ...request, diagonal: true, outcomes: false });
+    const request = { setup: randomSetup(next), of: ['carry', 'total', 'spin'], wrt };
+    const { head, derivatives } = drive(request);
+    const alone = drive({ ...request, outcomes: false });
     assert.deepEqual(alone.derivatives, derivatives);
+    assert.deepEqual(alone.head.missing, head.missing);
     assert.deepEqual([alone.head.status, alone.head.outcomes], ['done', []]);
-    derivatives.forEach(({ gradient, hessian }, at) => {
-      const { gradient: slopes, hessian: seconds } = whole.derivatives[at];
-      const largest = Math.max(...seconds.map(Math.abs).filter(Number.isFinite));
-      wrt.forEach((name, i) => {
-        const second = seconds[i * wrt.length + i];
-        assert.equal(Number.isNaN(hessian[i]), Number.isNaN(second), name);
-        if (Number.isNaN(second)) return;
-        close(gradient[i], slopes[i], 1e-10 * Math.max(...slopes.map(Math.abs).filter(Number.isFinite)), name);
-        close(hessian[i], second, 1e-10 * largest, name);
-      });
-    });
   }
+});
+
+test('a setup file is the same setup as its preset and its settings', () => {
+  const file = drive({ setup: { toml: 'preset = "mae494"\n[club]\nloft = "11 deg"\n' }, path: true });
+  const preset = drive({ setup: { preset: 'mae494', set: { 'club.loft': '11 deg' } }, path: true });
+  assert.deepEqual([file.outcomes, file.path], [preset.outcomes, preset.path]);
 });
 
 test('the values of all texts of a setup, in SI', () => {
@@ -118,7 +109,7 @@ test('exact ends of a path', () => {
 });
 
 test('a ball that does not land has a status and the outcomes of its launch', () => {
-  const { head, outcomes } = drive({ setup: { set: { 'club.loft': '-20 deg', 'swing.attack_angle': 0 } }, of: ['carry', 'ball_speed'], wrt: ['club.loft'], order: 1 });
+  const { head, outcomes } = drive({ setup: { set: { 'club.loft': '-20 deg', 'swing.attack_angle': 0 } }, of: ['carry', 'ball_speed'], wrt: ['club.loft'] });
   assert.equal(head.status, 'no-flight');
   assert.match(head.message, /\w/);
   assert.ok(outcomes.ball_speed > 50 && Number.isNaN(outcomes.carry));
@@ -128,36 +119,31 @@ test('a ball that does not land has a status and the outcomes of its launch', ()
 test('a parameter without derivatives has a reason, and does not prevent the others', () => {
   const setup = { set: { 'air.altitude': '1000 ft' } };
   const wrt = ['club.loft', 'air.density', 'swing.speed'];
-  const all = drive({ setup, of: ['carry', 'total'], wrt, order: 2 });
-  const some = drive({ setup, of: ['carry', 'total'], wrt: [wrt[0], wrt[2]], order: 2 });
+  const all = drive({ setup, of: ['carry', 'total'], wrt });
+  const some = drive({ setup, of: ['carry', 'total'], wrt: [wrt[0], wrt[2]] });
   assert.deepEqual(all.head.missing.map(({ of, wrt: by }) => [of, by]), [[null, 'air.density']]);
   assert.match(all.head.missing[0].message, /^air\.density cannot be varied, and has no derivatives: air\.altitude is given/);
-  all.derivatives.forEach(({ gradient, hessian }, k) => {
-    const { gradient: slopes, hessian: seconds } = some.derivatives[k];
-    assert.deepEqual([...gradient], [slopes[0], NaN, slopes[1]]);
-    assert.deepEqual([...hessian], [seconds[0], NaN, seconds[1], NaN, NaN, NaN, seconds[2], NaN, seconds[3]]);
+  all.derivatives.forEach(({ first, second }, k) => {
+    const { first: firsts, second: seconds } = some.derivatives[k];
+    assert.deepEqual([...first], [firsts[0], NaN, firsts[1]]);
+    assert.deepEqual([...second], [seconds[0], NaN, seconds[1]]);
   });
-  const none = drive({ setup, of: ['carry'], wrt: ['air.density'], order: 1 });
-  assert.deepEqual([...none.derivatives[0].gradient], [NaN]);
-  assert.equal(drive({ setup, of: ['carry'], wrt: ['air.densty'], order: 1 }).head.status, 'error');
+  const none = drive({ setup, of: ['carry'], wrt: ['air.density'] });
+  assert.deepEqual([...none.derivatives[0].first], [NaN]);
+  assert.equal(drive({ setup, of: ['carry'], wrt: ['air.densty'] }).head.status, 'error');
 });
 
-test('same values and gradients of a map as of drives', () => {
+test('same values of a map as of drives', () => {
   const setup = { preset: 'tour-average', set: { 'wind.right': '3 m/s' } };
   const [across, up] = [range('club.loft', '6 deg', '16 deg'), range('swing.attack_angle', -0.05, 0.05)];
   const [columns, rows] = [5, 3];
-  const { head, block } = core.map({ setup, of: ['carry', 'lateral'], across, up, nodes: [columns, rows], gradients: true });
-  assert.equal(block.length, 6 * columns * rows);
-  const wrt = ['club.loft', 'swing.attack_angle'];
+  const { head, block } = core.map({ setup, of: ['carry', 'lateral'], across, up, nodes: [columns, rows] });
+  assert.equal(block.length, 2 * columns * rows);
   for (let node = 0; node < columns * rows; node += 1) {
     const [i, j] = [node % columns, Math.floor(node / columns)];
     const set = { ...setup.set, 'club.loft': (6 + 10 * i / (columns - 1)) * DEG, 'swing.attack_angle': -0.05 + 0.1 * j / (rows - 1) };
-    const { outcomes, derivatives } = drive({ setup: { ...setup, set }, of: head.of, wrt, order: 1 });
-    head.of.forEach((of, k) => {
-      const at = part => block[(3 * k + part) * columns * rows + node];
-      close(at(0), outcomes[of], 1e-10, of);
-      wrt.forEach((name, axis) => close(at(1 + axis), derivatives[k].gradient[axis], 1e-8, `${of} by ${name}`));
-    });
+    const { outcomes } = drive({ setup: { ...setup, set } });
+    head.of.forEach((of, k) => close(block[k * columns * rows + node], outcomes[of], 1e-10, of));
   }
 });
 
@@ -218,9 +204,9 @@ test('the loop ends at its first step below the ground, the exact drive on it', 
     assert.ok(carry[k] >= interpolated[k] && carry[k] - interpolated[k] < 60 * step, `${k}`);
     // Euler's error is proportional to the step
     close(column(fine, 2)[k], exact[k], 0.02, `carry at ${loft[k]}`);
-    const { outcomes, derivatives } = drive({ setup: { preset: 'mae494', set: { 'club.loft': loft[k] } }, of: ['carry'], wrt: ['club.loft'], order: 1 });
+    const { outcomes, derivatives } = drive({ setup: { preset: 'mae494', set: { 'club.loft': loft[k] } }, of: ['carry'], wrt: ['club.loft'] });
     close(exact[k], outcomes.carry, 1e-10, 'exact');
-    close(slope[k], derivatives[0].gradient[0], 1e-8, 'slope');
+    close(slope[k], derivatives[0].first[0], 1e-8, 'slope');
   }
   // the loop's carry jumps where its number of steps changes; a difference quotient over a jump is off
   // by orders of magnitude
@@ -271,10 +257,12 @@ test('same models and gains of the iterations as of drives, and the same end as 
   assert.match(head.message, /^KKT residual/);
   list.forEach((step, k) => {
     const at = x => ({ preset, set: { ...set, ...Object.fromEntries(wrt.map((name, i) => [name, x[i]])) } });
-    const { outcomes, derivatives: [{ gradient, hessian }] } = drive({ setup: at(step.x), of: ['carry'], wrt, order: 2 });
+    const { outcomes } = drive({ setup: at(step.x) });
+    const words = ['gradient', ...wordsOf(at(Array.from(step.x, x => `${x}rad`))), '--hessian', '--of', 'carry', '--wrt', wrt.join(','), '--json'];
+    const [{ gradient, hessian }] = JSON.parse(run(words).stdout).outcomes;
     close(step.value, outcomes.carry, 1e-9, 'carry');
-    step.gradient.forEach((slope, i) => close(slope, gradient[i], 1e-6, `slope ${i}`));
-    step.hessian.forEach((second, i) => close(second, hessian[i], 1e-4, `second derivative ${i}`));
+    step.gradient.forEach((slope, i) => close(slope, gradient[wrt[i]], 1e-6, `slope ${i}`));
+    step.hessian.forEach((second, i) => close(second, hessian.values.flat()[i], 1e-4, `second derivative ${i}`));
     step.x.forEach((x, i) => {
       const { low, high } = vary[i];
       assert.ok(low <= step.low[i] && step.low[i] <= x && x <= step.high[i] && step.high[i] <= high);
@@ -333,7 +321,7 @@ test('files are read from memory and written into it', () => {
   assert.equal(core.ask({ words: ['fly', 'shots.csv'] }, { 'shots.csv': text(shots) }).head.answer, new TextDecoder().decode(flown[0].files['flown.csv']));
   const swept = ['sweep', '--over', 'club.loft=8deg..12deg:3', '--of', 'carry'];
   assert.equal(core.ask({ words: swept }).head.answer, run(swept).stdout);
-  const made = core.ask({ words: ['optimize', '-', '-o', 'best.toml', '--json'], input: 'preset = "mae494"' });
+  const made = core.ask({ words: ['optimize', 'mine.toml', '-o', 'best.toml', '--json'] }, { 'mine.toml': text('preset = "mae494"') });
   assert.equal(made.head.exit, 0);
   const again = core.ask({ words: ['simulate', 'best.toml', '--json'] }, made.files).head;
   close(JSON.parse(again.answer).flight.carry, JSON.parse(made.head.answer).value, 1e-9, 'carry');
@@ -347,9 +335,9 @@ test('threads, the network, parts and the disk are refused with a message', () =
   const csv = { 'shots.csv': text('Ball Speed (mph),Launch Angle (deg),Spin Rate (rpm)\n150,12,2600\n') };
   const over = ['sweep', '--over', 'club.loft=8deg..12deg:3'];
   const refused = [
-    [['fly', 'shots.csv', '--threads', '4'], /--threads 4: only one thread is available here; leave the option out/],
-    [[...over, '--threads', '2'], /--threads 2: only one thread is available here; leave the option out/],
-    [['fly', '--listen'], /--listen .*: there is no network here; give a file of shots instead/],
+    [['fly', 'shots.csv', '--threads', '4'], /^threads 4: only one thread is available here; leave the option out/],
+    [[...over, '--threads', '2'], /^threads 2: only one thread is available here; leave the option out/],
+    [['fly', '--listen'], /^listen .*: there is no network here; give a file of shots instead/],
     [[...over, '--part', '1/2', '-o', 'parts'], /built without the feature parquet/],
     [[...over, '-o', 'rows.csv'], /there is no disk here; write the rows to standard output/],
     [['plot', 'trajectory', '-o', 'a.png'], /built without the feature png/],
@@ -364,7 +352,7 @@ test('threads, the network, parts and the disk are refused with a message', () =
 });
 
 test('exact words of the page in messages', () => {
-  const { said } = core.ask({ words: ['optimize', '--maximize', 'carry', '--minimize', 'spin'], mentions: 'page' }).head;
+  const { said } = core.ask({ words: ['optimize', '--maximize', 'carry', '--minimize', 'spin'] }).head;
   assert.match(said[0].text, /^minimize: a search has one goal; leave one of maximize carry and minimize spin out/);
   const { head } = core.drive({ setup: { set: { 'club.lofft': 0.2 } } });
   assert.deepEqual(head.parameters, ['club.lofft', 'club.loft']);
@@ -395,7 +383,7 @@ test('malformed input gets a message and never a trap', async () => {
   const loft = range('club.loft', 0.1, 0.2);
   const good = {
     ask: { words: ['simulate', 'tour-average', '--set', 'club.loft=10deg'] },
-    drive: { setup: { preset: 'tour-average', set: { 'club.loft': 0.2 } }, of: ['carry'], wrt: ['club.loft'], order: 2, path: true },
+    drive: { setup: { preset: 'tour-average', set: { 'club.loft': 0.2 } }, of: ['carry'], wrt: ['club.loft'], path: true },
     map: { setup: {}, of: ['carry'], across: loft, up: range('swing.speed', 40, 50), nodes: [2, 2] },
     aim: { setup: {}, vary: [loft, range('swing.face_angle', -0.1, 0.1)], carry: 200, lateral: 1 },
     loop: { setup: {}, along: loft, nodes: 3, step: 0.01, difference: 1e-3 },

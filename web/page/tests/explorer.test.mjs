@@ -134,7 +134,7 @@ test('the best point of a map that is out of date is not shown', async () => {
 /** The answer about a drive whose launch has these values. */
 function landed(launch) {
   const outcomes = Object.keys(launch);
-  const head = { status: 'landed', outcomes, of: [], wrt: [], order: 0, diagonal: false, missing: [] };
+  const head = { status: 'landed', outcomes, of: [], wrt: [], missing: [] };
   return [{ head, block: Float64Array.from(Object.values(launch)) }];
 }
 

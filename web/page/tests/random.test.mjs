@@ -35,7 +35,7 @@ after(() => browser.close());
 
 /** The JSON of a command. */
 const answered = (...words) => JSON.parse(ask([...words, '--json']).answer);
-const ask = (words, files = {}) => core.ask({ words, mentions: 'page' }, files).head;
+const ask = (words, files = {}) => core.ask({ words }, files).head;
 
 const LINKS = [
   '1&tour-average',
@@ -99,7 +99,7 @@ test(`${COUNT.links} random links give a state of which all was named, and the c
       const { low, high, step } = page.sliderRangeOf(parameter, page.numberOf(name, { ...design, set: {} }, catalog), page.numberOf(name, design, catalog));
       assert.ok(low <= high && step > 0, `${about} ${name} ${low} ${high} ${step}`);
     }
-    const { head } = core.drive({ setup: page.setupOf(design), of: [state.goal], wrt: ['club.loft', 'swing.speed'], order: 2, path: true });
+    const { head } = core.drive({ setup: page.setupOf(design), of: [state.goal], wrt: ['club.loft', 'swing.speed'], path: true });
     assert.ok(head.status !== 'error' || head.message.length > 0, about);
     if (head.status === 'landed') flown += 1;
   }
@@ -175,7 +175,7 @@ test(`${COUNT.shots} random CSVs give a message, or as many rows as they have sh
   for (let k = 0; k < COUNT.shots; k += 1) {
     const content = shotsFile(chance);
     const about = JSON.stringify(new TextDecoder().decode(content));
-    const { head, files } = core.ask({ words: ['fly', 'shots.csv', 'tour-average', '--json', '-o', 'flown.csv'], mentions: 'page' }, { 'shots.csv': content });
+    const { head, files } = core.ask({ words: ['fly', 'shots.csv', 'tour-average', '--json', '-o', 'flown.csv'] }, { 'shots.csv': content });
     assert.ok([0, 1, 2].includes(head.exit), about);
     if (!files['flown.csv']) {
       assert.ok(head.said.at(-1).text.length > 10, about);

@@ -27,7 +27,7 @@ async function start(given: Packed | WebAssembly.Module) {
 }
 
 function run(core: Core, { words, files }: Command): Reply {
-  const { head, files: written } = core.ask({ words, mentions: 'page' }, files);
+  const { head, files: written } = core.ask({ words }, files);
   if (!('answer' in head)) {
     return { exit: 2, answer: '', said: [{ kind: 'error', text: head.message }], files: {} };
   }

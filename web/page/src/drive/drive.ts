@@ -49,24 +49,16 @@ interface DriveHead {
   outcomes: string[];
   of: string[];
   wrt: string[];
-  order: number;
-  diagonal: boolean;
   path?: number;
   run?: number;
   stated?: string[];
   warnings?: string[];
 }
 
-/** Index of the first number of the path. */
-function afterDerivatives({ outcomes, of, wrt, order, diagonal }: DriveHead): number {
-  const n = wrt.length;
-  const second = diagonal ? n : n * n;
-  return outcomes.length + of.length * ((order >= 1 ? n : 0) + (order === 2 ? second : 0));
-}
-
 export function readDrive({ head, block }: Numbers): Drive {
   const read = head as unknown as DriveHead;
-  let at = afterDerivatives(read);
+  // the path follows the outcomes, and the first and second derivatives
+  let at = read.outcomes.length + 2 * read.of.length * read.wrt.length;
   const number = () => block[at++] ?? NaN;
   const path = Array.from({ length: read.path ?? 0 }, () => (
     { time: number(), height: number(), right: number(), downrange: number() }));

@@ -21,8 +21,6 @@ import { mapCall, mapKey, readMap } from './map';
 import type { State } from './state';
 import { activeOf, mapOf, varyOf, withDesign } from './state';
 
-/** The derivatives in a request: first ones for prices, and second ones for bands. */
-const PRICES = { order: 2, diagonal: true };
 const COARSE = 20;
 const FINE = 60;
 /** Milliseconds after the last change until the slower answers are computed. */
@@ -303,7 +301,7 @@ export class Explorer {
     const base = this.requestBase();
     const wrt = this.#priced();
     const calls: Call[] = [
-      { endpoint: 'drive', request: { ...base, path: true, of: [goal], wrt, ...PRICES } }];
+      { endpoint: 'drive', request: { ...base, path: true, of: [goal], wrt } }];
     const unset = this.#unsetCall();
     if (unset) calls.push(unset);
     const answers = await this.interactive.calls('drive', calls);
@@ -348,7 +346,6 @@ export class Explorer {
       of: [this.state.value.goal],
       wrt: names,
       outcomes: false,
-      ...PRICES,
     };
     return { endpoint: 'drive', request };
   }
@@ -369,7 +366,7 @@ export class Explorer {
     });
     if (!best) return;
     const base = this.requestBase(withValues(design, best.texts));
-    const request = { ...base, path: true, order: 0 };
+    const request = { ...base, path: true };
     const numbers = await this.interactive.call('ghost', { endpoint: 'drive', request });
     if (numbers && !isRefused(numbers)) this.ghost.give(question, readDrive(numbers));
   }
@@ -379,7 +376,7 @@ export class Explorer {
     if (designs.length < 2) return;
     const question = this.flownDesigns.question();
     const calls = designs.map((design): Call =>
-      ({ endpoint: 'drive', request: { ...this.requestBase(design), path: true, order: 0 } }));
+      ({ endpoint: 'drive', request: { ...this.requestBase(design), path: true } }));
     const answers = await this.interactive.calls('designs', calls);
     if (!answers) return;
     this.flownDesigns.give(question, designs.map((design, at) => {
