@@ -481,7 +481,8 @@ impl Study {
             let objective = search.sense.sign() * value;
             return Some(std::iter::once(objective).chain(limited).collect());
         }
-        self.problem.values_uninterrupted(&solution.x).ok()
+        let never = AtomicBool::new(false);
+        self.problem.goals_at(&solution.x, &never).ok()
     }
 
     fn optimum(

@@ -27,7 +27,7 @@ use std::sync::{Arc, Mutex};
 ///
 /// The optimizer sees smooth goals with exact gradients. Their Hessians use the second derivatives
 /// of a subset of the drives. Reported values follow the exact definitions of the goals
-/// ([`values`](Self::values)).
+/// ([`goals_at`](Self::goals_at)).
 pub(super) struct SearchProblem {
     /// The setup as given.
     pub as_given: Setup<f64>,
@@ -366,33 +366,25 @@ impl SearchProblem {
     ///
     /// # Errors
     /// [`Error::NoFlight`] if the ball does not fly in one of the scenarios;
-    /// [`Error::NotConverged`] once stopped.
-    pub fn values(&self, x: &[f64]) -> Result<Vec<f64>> {
-        self.goals_of_setup(&self.setup_at(x)?, x, &self.stop)
-    }
-
-    /// Like [`values`](Self::values), but without a check of the interrupt flag.
-    ///
-    /// # Errors
-    /// The errors of [`values`](Self::values).
-    pub fn values_uninterrupted(&self, x: &[f64]) -> Result<Vec<f64>> {
-        self.goals_of_setup(&self.setup_at(x)?, x, &AtomicBool::new(false))
+    /// [`Error::NotConverged`] once `stop` is true.
+    pub fn goals_at(&self, x: &[f64], stop: &AtomicBool) -> Result<Vec<f64>> {
+        self.goals_of_setup(&self.setup_at(x)?, x, stop)
     }
 
     /// Values of the goals at the setup's own design. A varied parameter without a value in the
     /// setup remains unset.
     ///
     /// # Errors
-    /// The errors of [`values`](Self::values).
+    /// The errors of [`goals_at`](Self::goals_at).
     pub fn goals_as_set_up(&self) -> Result<Vec<f64>> {
-        self.goals_of_setup(&self.as_given, &self.values_as_set_up(), &self.stop)
+        self.goals_of_setup(&self.as_given, &self.design_as_set_up(), &self.stop)
     }
 
     /// Exact values of the goals of a setup with the design `x`, with `weights` for the scenarios.
     ///
     /// # Errors
-    /// The errors of [`values`](Self::values).
-    pub fn weighted_values(
+    /// The errors of [`goals_at`](Self::goals_at).
+    pub fn goals_with_weights(
         &self,
         setup: &Setup<f64>,
         x: &[f64],
@@ -405,7 +397,7 @@ impl SearchProblem {
     /// Values of the goals at `x`, over each of the [`sequences`](Scenarios::sequences).
     ///
     /// # Errors
-    /// The errors of [`values`](Self::values).
+    /// The errors of [`goals_at`](Self::goals_at).
     pub fn replications(&self, x: &[f64]) -> Result<Vec<Vec<f64>>> {
         let setup = self.setup_at(x)?;
         let one = |sequence: Result<Scenarios>| {
@@ -422,13 +414,13 @@ impl SearchProblem {
 
     /// Values of the varied parameters in the setup as given. A parameter without a value has the
     /// value of [`Parameter::unset`], or NaN if that is `None`.
-    pub fn values_as_set_up(&self) -> Vec<f64> {
+    pub fn design_as_set_up(&self) -> Vec<f64> {
         let own = |parameter: &&'static Parameter| self.as_given.value_or_unset(parameter);
         let values = self.parameters.iter().map(own);
         values.map(|value| value.unwrap_or(f64::NAN)).collect()
     }
 
-    /// Values of the goals of a setup with this design, as [`values`](Self::values) defines them.
+    /// Values of the goals of a setup with this design, as [`goals_at`](Self::goals_at) defines them.
     fn goals_of_setup(
         &self,
         setup: &Setup<f64>,
@@ -517,7 +509,7 @@ impl SearchProblem {
     /// a table of strokes; `None` if no goal uses such a table.
     ///
     /// # Errors
-    /// The errors of [`values`](Self::values).
+    /// The errors of [`goals_at`](Self::goals_at).
     pub fn beyond_strokes(&self, x: &[f64]) -> Result<Option<f64>> {
         let tables: Vec<_> = self.search.goals().flat_map(Goal::strokes).collect();
         if tables.is_empty() {

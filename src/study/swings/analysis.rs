@@ -119,11 +119,11 @@ fn analysed(
     )?;
     let nominal = match found.status {
         Status::Converged => mean_swing
-            .values(&found.x)
+            .goals_at(&found.x, stop)
             .map_err(|error| error.to_string())
             .map(|for_mean_swing| Nominal {
                 for_mean_swing,
-                over_swings: all_swings.values(&found.x).ok(),
+                over_swings: all_swings.goals_at(&found.x, stop).ok(),
                 design: found.x,
             }),
         status => Err(why_no_design(status, &search.of)),
@@ -190,7 +190,7 @@ fn goal_errors(
                 };
                 SearchProblem::new(&problem.as_given, search, &problem.stop)
             });
-            Some(problem.and_then(|problem| problem.values(x)))
+            Some(problem.and_then(|problem| problem.goals_at(x, &problem.stop)))
         }
         _ => None,
     };

@@ -136,11 +136,11 @@ fn search_resample(
     let objective = |goals: Result<Vec<f64>>| Some(goals.ok()?[0]);
     let value = |x: &[f64]| {
         let setup = problem.setup_at(x).ok()?;
-        objective(problem.weighted_values(&setup, x, &weights))
+        objective(problem.goals_with_weights(&setup, x, &weights))
     };
-    let own = objective(problem.weighted_values(
+    let own = objective(problem.goals_with_weights(
         &problem.as_given,
-        &problem.values_as_set_up(),
+        &problem.design_as_set_up(),
         &weights,
     ));
     let sign = best.search.sense.sign();

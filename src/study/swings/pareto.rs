@@ -10,7 +10,7 @@ use crate::study::problem::SearchProblem;
 use crate::study::verdict::{Active, active, solver_message, status_name, violated_by_design};
 use crate::study::{ChartEvent, Constraint, Goal, Search, Sense};
 use crate::units::Message;
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A search for the best compromises between two goals.
 #[derive(Clone, Debug)]
@@ -244,7 +244,7 @@ impl ParetoSearch {
     /// Converts a point of the optimizer's front. Its goals are computed even after an interrupt.
     /// `sign` converts the slope of the minimized functions to the slope of the goals.
     fn point(&self, problem: &SearchProblem, point: FrontPoint, sign: f64) -> Result<ParetoPoint> {
-        let values = problem.values_uninterrupted(&point.x)?;
+        let values = problem.goals_at(&point.x, &AtomicBool::new(false))?;
         let active = self.active(&point.x, &point.active_set);
         let event_text = point.event.as_ref().map(|event| match event {
             FrontEvent::Jump => "from here on another branch of designs is better".to_owned(),
@@ -282,7 +282,7 @@ fn named(none: FrontError, search: &ParetoSearch, problem: &SearchProblem) -> Er
         (_, Status::Infeasible) => violated_by_design(
             &search.subject_to,
             &found,
-            problem.values(&found.x).ok().as_deref(),
+            problem.goals_at(&found.x, &problem.stop).ok().as_deref(),
         ),
         _ => solver_message(&found, (goal, *sense), &search.vary),
     };

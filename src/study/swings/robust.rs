@@ -12,7 +12,7 @@ use crate::study::optimum::{comparable_optima, comparable_optimum_from, stopped_
 use crate::study::problem::SearchProblem;
 use crate::study::{ConstraintAtEnd, Optimum, Search};
 use crate::units::{DisplayUnit, Message};
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// One of several models of impact and flight: the setup with some changes.
 #[derive(Clone, Debug)]
@@ -395,7 +395,7 @@ fn minimax(
     let mut results = vec![];
     for (k, (model, best)) in models.into_iter().enumerate() {
         // also after an interrupt
-        let goals = losses.problems[k].values_uninterrupted(&design)?;
+        let goals = losses.problems[k].goals_at(&design, &AtomicBool::new(false))?;
         results.push(ModelResult {
             model,
             best,
@@ -525,7 +525,8 @@ impl<'a> Losses<'a> {
     /// or the ball does not fly in one of the swings.
     fn matrix(&self, designs: &[&[f64]]) -> Vec<Vec<Option<f64>>> {
         let at = |model: usize, x: &[f64]| {
-            let goals = self.problems[model].values(x).ok()?;
+            let problem = &self.problems[model];
+            let goals = problem.goals_at(x, &problem.stop).ok()?;
             self.feasible_loss(model, &goals)
         };
         (0..self.problems.len())
@@ -554,7 +555,8 @@ impl<'a> Losses<'a> {
             .collect();
         let spread = starts(&first.domain, &first.start(), count)?;
         let loss = |model: usize, x: &[f64]| {
-            let goals = self.problems[model].values(x).ok()?;
+            let problem = &self.problems[model];
+            let goals = problem.goals_at(x, &problem.stop).ok()?;
             Some(self.loss(model, &goals))
         };
         let start = |x: &[f64]| {
