@@ -2,7 +2,7 @@
 
 use super::Vary;
 use super::goal::limit_rounding;
-use super::optimum::{Optimum, local_optimum, optimum};
+use super::optimum::{Optimum, OptimumSearch, optimum};
 use super::search::Search;
 use super::sensitivity::sensitivity;
 use super::verdict::{Active, only_in};
@@ -471,7 +471,9 @@ impl Follower<'_> {
             options,
             ..self.search.clone()
         };
-        let best = local_optimum(&setup, search, self.observer.search())?;
+        let search = OptimumSearch::new(&setup, search, &self.observer.interrupt)?;
+        let start = search.problem.start();
+        let best = search.local_optimum(&start, self.observer.search(), None)?;
         let apart = relative_distance(&best.solution.x, &predicted, &bounds);
         Ok((point(to, best)?, apart))
     }

@@ -278,26 +278,11 @@ pub(super) fn stopped_of(
 /// parameter that both the search and the swings vary; the errors of [`Setup::validate`];
 /// [`Error::NotConverged`] if the search is interrupted before it begins.
 pub fn optimum(setup: &Setup<f64>, search: Search, observer: Observer) -> Result<Optimum> {
-    let study = Study::new(setup, search, &observer.interrupt)?;
-    let mut best = study.minimized(&study.problem.start(), observer)?;
-    let sample = study.improved(&mut best, Observer::default)?;
-    let goals = study.goals(&best);
-    study.optimum(best, goals, sample)
-}
-
-/// Finds the local optimum of a search from the setup's own values.
-///
-/// # Errors
-/// The errors of [`optimum`].
-pub(super) fn local_optimum(
-    setup: &Setup<f64>,
-    search: Search,
-    observer: Observer,
-) -> Result<Optimum> {
-    let study = Study::new(setup, search, &observer.interrupt)?;
-    let end = study.minimized(&study.problem.start(), observer)?;
-    let goals = study.goals(&end);
-    study.optimum(end, goals, None)
+    let of = OptimumSearch::new(setup, search, &observer.interrupt)?;
+    let mut best = of.minimized(&of.problem.start(), observer)?;
+    let sample = of.improved(&mut best, Observer::default)?;
+    let goals = of.goals(&best);
+    of.optimum(best, goals, sample)
 }
 
 /// Searches in parallel from the setup's own values and from starts spread evenly over the ranges.
@@ -312,41 +297,12 @@ pub fn optima(
     count: usize,
     follow: &Observers,
 ) -> Result<Optima> {
-    Study::new(setup, search.clone(), &follow.interrupt)?.optima(count, follow)
-}
-
-/// Like [`optima`]. At the ends of the searches the goals are evaluated again, without derivatives,
-/// so that they are bitwise comparable with the goals of other designs.
-///
-/// # Errors
-/// The errors of [`optima`].
-pub(super) fn comparable_optima(
-    setup: &Setup<f64>,
-    search: &Search,
-    count: usize,
-    follow: &Observers,
-) -> Result<Optima> {
-    Study::comparable(setup, search, follow)?.optima(count, follow)
-}
-
-/// Repeats the local search of `best`, an optimum of [`comparable_optima`], from `start`.
-///
-/// # Errors
-/// The errors of [`optimum`].
-pub(super) fn comparable_optimum_from(
-    best: &Optimum,
-    start: &[f64],
-    follow: &Observers,
-) -> Result<Optimum> {
-    let study = Study::comparable(&best.start, &best.search, follow)?;
-    let end = study.minimized(start, follow.of_search(0))?;
-    let goals = study.goals(&end);
-    study.optimum(end, goals, best.sample)
+    OptimumSearch::new(setup, search.clone(), &follow.interrupt)?.optima(count, follow)
 }
 
 /// A search, with the problem that the optimizer solves for it.
-struct Study {
-    problem: SearchProblem,
+pub(super) struct OptimumSearch {
+    pub problem: SearchProblem,
     /// The values of the goals over the swings at the setup's own design; `None` as in
     /// [`Optimum::as_set_up`].
     as_set_up: Option<Vec<f64>>,
@@ -356,8 +312,10 @@ struct Study {
     is_evaluated_again: bool,
 }
 
-impl Study {
-    fn new(setup: &Setup<f64>, search: Search, interrupt: &Arc<AtomicBool>) -> Result<Self> {
+impl OptimumSearch {
+    /// # Errors
+    /// The errors of [`optimum`].
+    pub fn new(setup: &Setup<f64>, search: Search, interrupt: &Arc<AtomicBool>) -> Result<Self> {
         let problem = SearchProblem::new(setup, search, interrupt)?;
         let mut as_set_up = None;
         if !problem.search.scenarios.is_one_drive() {
@@ -373,8 +331,12 @@ impl Study {
         })
     }
 
-    /// A study that evaluates the goals again at the end of a search.
-    fn comparable(setup: &Setup<f64>, search: &Search, follow: &Observers) -> Result<Self> {
+    /// A search at whose ends the goals are evaluated again, so that they are bitwise comparable
+    /// with the goals of other designs.
+    ///
+    /// # Errors
+    /// The errors of [`optimum`].
+    pub fn comparable(setup: &Setup<f64>, search: &Search, follow: &Observers) -> Result<Self> {
         Ok(Self {
             is_evaluated_again: true,
             ..Self::new(setup, search.clone(), &follow.interrupt)?
@@ -382,7 +344,10 @@ impl Study {
     }
 
     /// The optima of searches from `count` starts and from points of the sample, as in [`optima`].
-    fn optima(self, count: usize, follow: &Observers) -> Result<Optima> {
+    ///
+    /// # Errors
+    /// The errors of [`optima`].
+    pub fn optima(self, count: usize, follow: &Observers) -> Result<Optima> {
         if count == 0 {
             return Err(Error::Nothing {
                 doing: "search from",
@@ -415,6 +380,22 @@ impl Study {
             requested: count,
             has_extra_start,
         })
+    }
+
+    /// The local optimum of a search from `start`. `sample` is the comparison of an earlier optimum
+    /// of this search, if there is one.
+    ///
+    /// # Errors
+    /// The errors of [`optimum`].
+    pub fn local_optimum(
+        self,
+        start: &[f64],
+        observer: Observer,
+        sample: Option<Sample>,
+    ) -> Result<Optimum> {
+        let end = self.minimized(start, observer)?;
+        let goals = self.goals(&end);
+        self.optimum(end, goals, sample)
     }
 
     fn minimized(&self, start: &[f64], observer: Observer) -> Result<Solution> {

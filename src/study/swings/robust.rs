@@ -8,7 +8,7 @@ use crate::parameters::{LAW, NO_CLUB, Parameter, Setup};
 use crate::repeated::first_repeated;
 use crate::study::cancellable::stopped;
 use crate::study::goal::limit_rounding;
-use crate::study::optimum::{comparable_optima, comparable_optimum_from, stopped_of};
+use crate::study::optimum::{OptimumSearch, stopped_of};
 use crate::study::problem::SearchProblem;
 use crate::study::{ConstraintAtEnd, Optimum, Search};
 use crate::units::{DisplayUnit, Message};
@@ -263,7 +263,8 @@ impl Robust {
             let Some(design) = self.better_design(of) else {
                 continue;
             };
-            let again = comparable_optimum_from(best, design, follow)?;
+            let search = OptimumSearch::comparable(&best.start, &best.search, follow)?;
+            let again = search.local_optimum(design, follow.of_search(0), best.sample)?;
             if again.solution.status == Status::Interrupted {
                 return Err(not_found(model, again.status(), again.message()));
             }
@@ -424,7 +425,8 @@ fn best_of_each(
     follow: &Observers,
 ) -> Result<Vec<(Model, Optimum)>> {
     let best = |model: Model| {
-        let optima = comparable_optima(&model.setup, search, count, follow)?;
+        let search = OptimumSearch::comparable(&model.setup, search, follow)?;
+        let optima = search.optima(count, follow)?;
         if let Some(interrupted) = optima.interrupted() {
             let status = Status::Interrupted.name();
             return Err(not_found(&model, status, interrupted.into()));
