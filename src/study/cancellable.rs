@@ -27,7 +27,7 @@ pub(super) fn each_until<T: Sync, R: Send>(
 }
 
 /// The error for interrupted work; `before` completes "stopped before …".
-pub(super) fn stopped(before: &str) -> Error {
+pub(super) fn stopped_before(before: &str) -> Error {
     Error::NotConverged {
         status: Status::Interrupted.name(),
         message: format!("stopped before {before}").into(),

@@ -6,7 +6,7 @@
 //!   swings:     ends ──▶ goals without smoothing
 //! ```
 
-use super::cancellable::stopped;
+use super::cancellable::stopped_before;
 use super::goal::{Constraint, ConstraintAtEnd};
 use super::problem::SearchProblem;
 use super::sample::{Sample, compare_with_sample};
@@ -321,7 +321,7 @@ impl OptimumSearch {
         if !problem.search.scenarios.is_one_drive() {
             as_set_up = problem.goals_as_set_up().ok();
             if as_set_up.is_none() && problem.is_stopped() {
-                return Err(stopped("the search began"));
+                return Err(stopped_before("the search began"));
             }
         }
         Ok(Self {

@@ -7,7 +7,7 @@
 //! One drive is one scenario. If the goals are outcomes of one drive, they need no measures: the
 //! derivatives of the outcomes are the derivatives of the goals.
 
-use super::cancellable::{each_until, stopped};
+use super::cancellable::{each_until, stopped_before};
 use super::goal::Goal;
 use super::search::{Search, Sense};
 use super::swings::flown::{columns, no_flight};
@@ -110,7 +110,7 @@ impl SearchProblem {
         };
         // report the error of the first scenario, independently of the threads
         let drives = each_until(&scenarios.points, stop, evaluator)
-            .ok_or_else(|| stopped("all swings were set up"))?
+            .ok_or_else(|| stopped_before("all swings were set up"))?
             .into_iter()
             .collect::<Result<Vec<_>>>()?;
         Ok(Self {
@@ -466,7 +466,7 @@ impl SearchProblem {
         let all: Vec<usize> = (0..self.drives.len()).collect();
         let flown = self.outcomes_at(&all, x, order, stop);
         let flown = flown.map_err(|reason| match stop.load(Ordering::Relaxed) {
-            true => stopped("all swings were flown"),
+            true => stopped_before("all swings were flown"),
             false => Error::NoFlight {
                 status: "no-flight",
                 reason: reason.into(),

@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use crate::optimize::least_squares::{Fit, FitObserver, FitOptions, FitStatus, fit_from};
 use crate::optimize::{Domain, starts};
 use crate::parameters::{Parameter, Setup, Vary, refuse_replaced};
-use crate::study::cancellable::stopped;
+use crate::study::cancellable::stopped_before;
 use crate::units::counted;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -257,7 +257,7 @@ fn starting_points(
         return Ok(planned);
     }
     if observer.is_interrupted() {
-        return Err(stopped("the fit began"));
+        return Err(stopped_before("the fit began"));
     }
     let other = starts(domain, own, START_TRIALS)?
         .into_iter()
@@ -270,7 +270,7 @@ fn starting_points(
 
 fn no_start(problem: &ShotResiduals<'_>, own: &[f64], observer: &FitObserver) -> Error {
     if observer.is_interrupted() {
-        stopped("the fit began")
+        stopped_before("the fit began")
     } else {
         let what = "no starting point was found from which every row can be computed";
         missing(what, problem, own)

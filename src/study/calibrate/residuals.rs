@@ -7,7 +7,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::least_squares::Rows;
 use crate::parameters::{Parameter, Setup};
-use crate::study::cancellable::{each_until, stopped};
+use crate::study::cancellable::{each_until, stopped_before};
 use crate::units::significant;
 use std::sync::atomic::AtomicBool;
 
@@ -86,7 +86,7 @@ impl ShotResiduals<'_> {
                 .map(one)
                 .collect::<Result<Vec<f64>>>()
         };
-        let all = each_until(self.shots, self.stop, of).ok_or_else(|| stopped(FLOWN))?;
+        let all = each_until(self.shots, self.stop, of).ok_or_else(|| stopped_before(FLOWN))?;
         all.into_iter().collect()
     }
 
@@ -160,7 +160,7 @@ impl ShotResiduals<'_> {
                 self.curvatures.get(at).map_or(&[], Vec::as_slice),
             )
         };
-        each_until(&all, self.stop, of).ok_or_else(|| stopped(FLOWN))
+        each_until(&all, self.stop, of).ok_or_else(|| stopped_before(FLOWN))
     }
 
     /// Computes [`curvatures`](Self::curvatures) at `x` and checks every row; true if all rows can

@@ -6,7 +6,7 @@ use crate::derivative::{Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
-use crate::study::cancellable::{each_until, stopped};
+use crate::study::cancellable::{each_until, stopped_before};
 use std::sync::atomic::AtomicBool;
 
 /// Number of swings in a batch, the unit of work of one thread.
@@ -41,7 +41,8 @@ pub(in crate::study) fn columns(
         };
         points.iter().enumerate().map(row).collect()
     };
-    let flown = each_until(&blocks, stop, rows).ok_or_else(|| stopped("all swings were flown"))?;
+    let flown =
+        each_until(&blocks, stop, rows).ok_or_else(|| stopped_before("all swings were flown"))?;
     let flown = flown.into_iter().collect::<Result<Vec<_>>>()?.concat();
     Ok((0..of.len())
         .map(|i| flown.iter().map(|row| row[i]).collect())

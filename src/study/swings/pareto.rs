@@ -4,7 +4,7 @@ use crate::optimize::front::{Front, FrontError, FrontEvent, FrontPoint, front};
 use crate::optimize::sensitivity::ActiveSet;
 use crate::optimize::{Observers, Options, Problem, Status, starts};
 use crate::parameters::{Parameter, Setup, Vary};
-use crate::study::cancellable::stopped;
+use crate::study::cancellable::stopped_before;
 use crate::study::optimum::optimum;
 use crate::study::problem::SearchProblem;
 use crate::study::verdict::{Active, active, solver_message, status_name, violated_by_design};
@@ -124,7 +124,7 @@ pub fn pareto(setup: &Setup<f64>, mut search: ParetoSearch, follow: &Observers) 
     }
     let own = problem.goals_as_set_up();
     if own.is_err() && follow.interrupt.load(Ordering::Relaxed) {
-        return Err(stopped("the search began"));
+        return Err(stopped_before("the search began"));
     }
     let minimized = |x: &[f64]| {
         let mut functions = problem.evaluate(x)?;

@@ -6,7 +6,7 @@ use crate::optimize::{
 };
 use crate::parameters::{LAW, NO_CLUB, Parameter, Setup};
 use crate::repeated::first_repeated;
-use crate::study::cancellable::stopped;
+use crate::study::cancellable::stopped_before;
 use crate::study::goal::limit_rounding;
 use crate::study::optimum::{OptimumSearch, stopped_of};
 use crate::study::problem::SearchProblem;
@@ -376,7 +376,9 @@ fn minimax(
     }
     let as_set_up = losses.as_set_up();
     if is_stopped() {
-        return Err(stopped("the search for one design for all models began"));
+        return Err(stopped_before(
+            "the search for one design for all models began",
+        ));
     }
     let ends = minimize_from(&losses, &losses.domain()?, &starts, &search.options, follow)?;
     let stopped = ends
