@@ -31,6 +31,11 @@ use rayon::prelude::*;
 use serde::Serialize;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
+/// Names of the checks of the flight.
+const LANDING: &str = "the landing as an implicit function";
+const CONTINUITY: &str = "smoothness where the number of time steps changes";
+const CONVERGENCE: &str = "convergence with the time step";
+
 /// Maximum number of failures named per check.
 const NAMED: usize = 3;
 
@@ -122,15 +127,15 @@ impl Certificate {
                 rows(|row| row.first.verdict == Verdict::Pass && row.second_fails()),
             ),
             (
-                "the landing as an implicit function",
+                LANDING,
                 landing.map(|row| by(row.of, row.parameter)).collect(),
             ),
             (
-                "smoothness where the number of time steps changes",
+                CONTINUITY,
                 continuity.map(|check| check.of.name().into()).collect(),
             ),
             (
-                "convergence with the time step",
+                CONVERGENCE,
                 convergence.map(|check| check.of.name().into()).collect(),
             ),
             (
@@ -194,7 +199,7 @@ impl Certificate {
     ) -> Vec<NotExamined> {
         let checks = [
             (
-                "the landing as an implicit function",
+                LANDING,
                 self.landing.is_empty(),
                 match setup.wind.roughness {
                     Some(_) => LOG_WIND,
@@ -204,16 +209,12 @@ impl Certificate {
                 },
             ),
             (
-                "smoothness where the number of time steps changes",
+                CONTINUITY,
                 self.continuity.is_empty(),
                 "the number of time steps stays the same if the first parameter changes by up to \
                  a tenth of its value, or of a typical value",
             ),
-            (
-                "convergence with the time step",
-                self.convergence.is_empty(),
-                no_convergence,
-            ),
+            (CONVERGENCE, self.convergence.is_empty(), no_convergence),
         ];
         let not_examined = checks.into_iter().filter(|(_, is_empty, _)| *is_empty);
         not_examined
