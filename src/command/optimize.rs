@@ -7,7 +7,7 @@ use crate::command::request::Request;
 use crate::command::search::{SearchRequest, write};
 use crate::command::swings::swing_ranges;
 use crate::report::OptimizeReport;
-use crate::study::swings::{OverSwings, Swings, analyse_over_swings, bootstrap_optimum};
+use crate::study::swings::{Swings, SwingsAnalysis, analyse_over_swings, bootstrap_optimum};
 use crate::study::{Optima, OptimumWindows, Search, default_loss, windows};
 use crate::units::Message;
 use crate::{Result, Setup};
@@ -68,7 +68,8 @@ pub struct SwingsOptimum {
     /// The setup before the search.
     pub setup: Setup<f64>,
     pub optima: Optima,
-    pub over: OverSwings,
+    /// `None` without an optimum, and after an interrupt.
+    pub analysis: Option<SwingsAnalysis>,
     /// The search and its analyses, which Ctrl-C can interrupt until this value is dropped.
     pub work: InterruptibleWork,
     /// The file that was written.
@@ -77,7 +78,12 @@ pub struct SwingsOptimum {
 
 impl SwingsOptimum {
     pub fn report(&self) -> OptimizeReport<'_> {
-        OptimizeReport::new(&self.optima, Some(&self.over), None, self.file.clone())
+        OptimizeReport::new(
+            &self.optima,
+            self.analysis.as_ref(),
+            None,
+            self.file.clone(),
+        )
     }
 }
 
@@ -97,12 +103,11 @@ pub fn optimize_and_write(
     let best = &optima.best;
     let is_found = best.is_converged();
     let mut analysis = None;
-    let mut resampled = None;
     if is_found {
         analysis = analyse_over_swings(&setup, swings, best, stop)?;
-        if let Swings::Recorded { .. } = swings {
+        if let (Swings::Recorded { .. }, Some(analysis)) = (swings, &mut analysis) {
             let seed = u64::from(args.swings.seed.unwrap_or(0));
-            resampled = bootstrap_optimum(&setup, best, RESAMPLES, seed, stop)?;
+            analysis.resampled = bootstrap_optimum(&setup, best, RESAMPLES, seed, stop)?;
         }
     }
     let mut warnings = best.warnings(stop);
@@ -122,10 +127,7 @@ pub fn optimize_and_write(
     Ok(SwingsOptimum {
         setup,
         optima,
-        over: OverSwings {
-            analysis,
-            resampled,
-        },
+        analysis,
         work,
         file,
     })

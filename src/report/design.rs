@@ -86,8 +86,7 @@ impl Report for DesignReport<'_> {
     /// The design for readers: the values before and after the search, the rules and limits, the
     /// notes, and the convergence.
     fn document(&self, system: System) -> Document {
-        let over = self.search.over;
-        let analysis = over.and_then(|over| over.analysis.as_ref());
+        let analysis = self.search.analysis;
         let mut document = Document::default();
         let is_converged = self.best.is_converged();
         if !is_converged {
@@ -109,8 +108,8 @@ impl Report for DesignReport<'_> {
             let found = ended_at(self.best.solution.status, "best");
             document.add(DocumentTable::new(["rule or limit", "", found, ""], rows).right([2]));
         }
-        let notes = over.map(|over| notes(self.best, over, system));
-        document.list(notes.into_iter().flatten().chain(assumptions));
+        let notes = notes(self.best, analysis, system);
+        document.list(notes.into_iter().chain(assumptions));
         let mut ranges = Document::default();
         ranges.add(goals(self.best, analysis, system));
         ranges.add(varied_table(self.best, nominal(analysis), system));

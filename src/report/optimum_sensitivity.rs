@@ -164,11 +164,11 @@ impl Report for OptimumSensitivityReport<'_> {
     fn document(&self, system: System) -> Document {
         let OptimizeReport {
             found: optima,
-            over,
+            analysis: over_swings,
             ..
         } = self.search;
         let Some(analysis) = self.analysis else {
-            return optimum_document(&optima.best, over, None, system);
+            return optimum_document(&optima.best, over_swings, None, system);
         };
         let mut document = analysis_document(analysis, &optima.best, system);
         if optima.has_several_starts() {

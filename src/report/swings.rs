@@ -8,8 +8,7 @@ use super::shown;
 use crate::drive::Outcome;
 use crate::study::Optimum;
 use crate::study::swings::{
-    BootstrapOptimum, GoalError, Measure, Nominal, OverSwings, Rule, SamplingError, Scenarios,
-    SwingsAnalysis,
+    BootstrapOptimum, GoalError, Measure, Nominal, Rule, SamplingError, Scenarios, SwingsAnalysis,
 };
 use crate::units::{System, counted, significant};
 use serde::Serialize;
@@ -90,22 +89,22 @@ pub struct NominalReport {
 
 impl StudiesReport {
     /// The additional results of an optimum over swings.
-    pub(super) fn new(best: &Optimum, over: &OverSwings) -> Self {
+    pub(super) fn new(best: &Optimum, analysis: Option<&SwingsAnalysis>) -> Self {
         let search = &best.search;
         let goals = |values: &[f64]| -> ByName<JsonNumber> {
             let names = search.goals().map(|goal| goal.expression.clone());
             names.zip(values.iter().copied()).collect()
         };
-        let error = over.analysis.as_ref().and_then(SwingsAnalysis::error);
+        let error = analysis.and_then(SwingsAnalysis::error);
         Self {
             scenarios: ScenariosReport::new(&search.scenarios),
             as_set_up: best.as_set_up.as_deref().map(goals),
-            nominal: nominal(over.analysis.as_ref()).map(|nominal| NominalReport {
+            nominal: nominal(analysis).map(|nominal| NominalReport {
                 optimum: ByName::of_varied(&search.vary, &nominal.design),
                 promised: goals(&nominal.for_mean_swing),
                 kept: nominal.over_swings.as_deref().map(goals),
             }),
-            unknown: unknown(over.analysis.as_ref()),
+            unknown: unknown(analysis),
             quadrature_error: match error {
                 Some(GoalError::Quadrature(size)) => Some(*size),
                 _ => None,
@@ -115,7 +114,7 @@ impl StudiesReport {
                 _ => None,
             },
             beyond_strokes: best.beyond_strokes,
-            resampled: over.resampled.clone(),
+            resampled: analysis.and_then(|analysis| analysis.resampled.clone()),
         }
     }
 }
@@ -188,31 +187,33 @@ pub(super) fn goals(
 }
 
 /// Notes on the designs and on the uncertainty of the answer.
-pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Line> {
+pub(super) fn notes(
+    best: &Optimum,
+    analysis: Option<&SwingsAnalysis>,
+    system: System,
+) -> Vec<Line> {
+    let resamples = analysis.and_then(|analysis| analysis.resampled.as_ref());
     let mut notes = vec![];
     let strikes = best.search.scenarios.parameters.iter();
     let mut strikes = strikes.filter(|parameter| parameter.name.starts_with("strike."));
     if strikes.next().is_some() || best.setup.strike.toe != 0.0 {
         notes.push("the gear effect, and the scatter from it, is known to about 30 %".into());
     }
-    notes.extend(designs(best, nominal(over.analysis.as_ref())));
+    notes.extend(designs(best, nominal(analysis)));
     notes.extend(smoothed_limits(best, system));
     notes.extend(measures_in_words(best));
-    notes.push(sampling(best, over.analysis.as_ref(), system));
-    if best.search.scenarios.rule == Rule::Recorded
-        && over.resampled.is_none()
-        && best.is_converged()
-    {
+    notes.push(sampling(best, analysis, system));
+    if best.search.scenarios.rule == Rule::Recorded && resamples.is_none() && best.is_converged() {
         notes.push(
             "it is not known how well these swings determine the best design: the swings are \
              equal, or the searches of their resamples found no optimum"
                 .into(),
         );
     }
-    if let Some(found) = &over.resampled {
+    if let Some(found) = resamples {
         notes.extend(resampled(best, found, system));
     }
-    notes.extend(unknown(over.analysis.as_ref()));
+    notes.extend(unknown(analysis));
     notes.into_iter().map(Line::flush).collect()
 }
 

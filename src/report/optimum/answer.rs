@@ -6,7 +6,7 @@ use super::super::reply::{Ending, Report};
 use super::super::swings::StudiesReport;
 use super::report::{LocalReport, OptimumReport};
 use super::text::{optima_document, optimum_document};
-use crate::study::swings::OverSwings;
+use crate::study::swings::SwingsAnalysis;
 use crate::study::{ClubAlone, Optima, OptimumWindows, Window};
 use crate::units::System;
 use serde::Serialize;
@@ -20,7 +20,7 @@ pub struct OptimizeReport<'a> {
     #[serde(skip)]
     pub(in crate::report) found: &'a Optima,
     #[serde(skip)]
-    pub(in crate::report) over: Option<&'a OverSwings>,
+    pub(in crate::report) analysis: Option<&'a SwingsAnalysis>,
     #[serde(skip)]
     around: Option<OptimumWindows<'a>>,
     /// The best optimum.
@@ -45,12 +45,12 @@ pub struct OptimizeReport<'a> {
 }
 
 impl<'a> OptimizeReport<'a> {
-    /// The report of a search. `over` has the further results of a search over swings. `around`
+    /// The report of a search. `analysis` is that of a search over swings. `around`
     /// contains the windows of the optimum, and the gain of the club alone. `file` is the setup
     /// file that was written.
     pub fn new(
         found: &'a Optima,
-        over: Option<&'a OverSwings>,
+        analysis: Option<&'a SwingsAnalysis>,
         around: Option<OptimumWindows<'a>>,
         file: Option<String>,
     ) -> Self {
@@ -62,9 +62,10 @@ impl<'a> OptimizeReport<'a> {
                 .collect()
         });
         let several = found.has_several_starts();
+        let is_over_swings = !best.search.scenarios.is_one_drive();
         Self {
             found,
-            over,
+            analysis,
             around,
             optimum: OptimumReport::new(best),
             optima: several.then(|| LocalReport::all(found)),
@@ -72,7 +73,7 @@ impl<'a> OptimizeReport<'a> {
             window_loss: around.map(|around| around.loss).into(),
             club_alone: around.and_then(|around| around.club_alone.cloned()),
             file,
-            swings: over.map(|over| StudiesReport::new(best, over)),
+            swings: is_over_swings.then(|| StudiesReport::new(best, analysis)),
         }
     }
 }
@@ -110,7 +111,7 @@ impl Report for OptimizeReport<'_> {
         }
         document.append(optimum_document(
             &optima.best,
-            self.over,
+            self.analysis,
             self.around.as_ref(),
             system,
         ));

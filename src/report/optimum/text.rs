@@ -8,7 +8,7 @@ use super::best_drive::{drive_lines, gain_lines};
 use super::bounds::bound_in_words;
 use super::windows::window_lines;
 use crate::optimize::{Iteration, Status};
-use crate::study::swings::{Nominal, OverSwings};
+use crate::study::swings::{Nominal, SwingsAnalysis};
 use crate::study::{Optima, Optimum, OptimumWindows, Sample, Search};
 use crate::units::{DisplayUnit, System, counted, counted_of, fixed, with_unit};
 
@@ -16,7 +16,7 @@ use crate::units::{DisplayUnit, System, counted, counted_of, fixed, with_unit};
 /// its status is first. If the objective has no value, the document has only the status.
 pub(in crate::report) fn optimum_document(
     optimum: &Optimum,
-    over: Option<&OverSwings>,
+    analysis: Option<&SwingsAnalysis>,
     around: Option<&OptimumWindows<'_>>,
     system: System,
 ) -> Document {
@@ -36,15 +36,11 @@ pub(in crate::report) fn optimum_document(
         }
         add_varied_and_constraints(&mut document, optimum, around, system);
         document.list(drive_lines(optimum, value, drive, system));
-    } else if let Some(over) = over {
-        document.add(goals(optimum, over.analysis.as_ref(), system));
-        document.add(varied_table(
-            optimum,
-            nominal(over.analysis.as_ref()),
-            system,
-        ));
+    } else {
+        document.add(goals(optimum, analysis, system));
+        document.add(varied_table(optimum, nominal(analysis), system));
         add_constraints(&mut document, optimum, system);
-        document.list(notes(optimum, over, system));
+        document.list(notes(optimum, analysis, system));
     }
     if is_converged {
         add_convergence(&mut document, optimum, system);

@@ -1,3 +1,4 @@
+use super::bootstrap_optimum::BootstrapOptimum;
 use super::golfer::Swings;
 use super::measure::Measure;
 use super::scenarios::{Rule, Scenarios};
@@ -13,8 +14,8 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The best design for the mean swing, and the errors of the goals at the best design for all
-/// swings.
+/// Results of a search over swings in addition to the optimum: the best design for the mean swing,
+/// the errors of the goals, and the optima of resamples.
 #[derive(Clone, Debug)]
 pub struct SwingsAnalysis {
     /// The best design for the mean swing, or in plain words the reason why it is not known.
@@ -23,6 +24,9 @@ pub struct SwingsAnalysis {
     /// limited goals. The errors are estimated from other scenarios of the same distributions.
     /// Empty for recorded swings, which have no other scenarios, and if the goals have no value.
     pub errors: Vec<GoalError>,
+    /// The optima of resamples of recorded swings, from
+    /// [`bootstrap_optimum`](super::bootstrap_optimum); `None` unless they were computed.
+    pub resampled: Option<BootstrapOptimum>,
 }
 
 impl SwingsAnalysis {
@@ -134,6 +138,7 @@ fn analysed(
             Some(goals) => goal_errors(&all_swings, swings, &best.solution.x, goals),
             None => vec![],
         },
+        resampled: None,
     })
 }
 
