@@ -72,7 +72,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         }
     }
     let analysis = analysis.as_ref();
-    let windows = analysis.map(OptimumAnalysis::windows);
+    let windows = analysis.map(|analysis| analysis.flatness.windows_with(None));
     let search = OptimizeReport::new(&optima, None, windows, written);
     let report = OptimumSensitivityReport::new(search, analysis, reason.as_ref());
     let answer = Answer::report(&report, &drive_search.origin);

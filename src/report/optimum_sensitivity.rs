@@ -227,7 +227,12 @@ fn analysis_document(analysis: &OptimumAnalysis, best: &Optimum, system: System)
     if let Some(drive) = &best.drive {
         document.list(gain_lines(best, drive, system));
     }
-    add_varied_and_constraints(&mut document, best, Some(&analysis.windows()), system);
+    add_varied_and_constraints(
+        &mut document,
+        best,
+        Some(&analysis.flatness.windows_with(None)),
+        system,
+    );
     document.list(flatness_lines(best, &analysis.flatness, system));
     for changed in &analysis.changes {
         document.add(change(best, changed, system));

@@ -23,13 +23,15 @@ impl OptimumAnalysis {
         let mut all = self.sensitivities.iter();
         self.sensitivities.is_empty() || all.any(|(_, sensitivity)| sensitivity.is_ok())
     }
+}
 
-    /// The windows of the varied parameters, without the gain of the club alone.
-    pub fn windows(&self) -> OptimumWindows<'_> {
+impl Flatness {
+    /// The windows of the varied parameters, with the optimum of the club alone, if it is known.
+    pub fn windows_with<'a>(&'a self, club_alone: Option<&'a ClubAlone>) -> OptimumWindows<'a> {
         OptimumWindows {
-            loss: self.flatness.loss,
-            windows: &self.flatness.windows,
-            club_alone: None,
+            loss: self.loss,
+            windows: &self.windows,
+            club_alone,
         }
     }
 }

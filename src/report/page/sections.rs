@@ -14,7 +14,7 @@ use crate::report::presets::{SourcedValue, sources};
 use crate::report::sensitivity::STATED;
 use crate::report::shown::{self, capital};
 use crate::study::certificate::DerivativeRow;
-use crate::study::{Effects, NamedDrive, Optimum, OptimumWindows};
+use crate::study::{Effects, NamedDrive, Optimum};
 use crate::units::{counted, typeset};
 use maud::{Markup, html};
 
@@ -77,11 +77,8 @@ pub(super) fn outcomes(flown: &[NamedDrive]) -> Markup {
 /// # Errors
 /// The errors of [`content`].
 pub(super) fn optimum(findings: &Findings, best: &Optimum) -> Result<Markup> {
-    let around = findings.flatness.as_ref().map(|flatness| OptimumWindows {
-        loss: flatness.loss,
-        windows: &flatness.windows,
-        club_alone: findings.club_alone.as_ref(),
-    });
+    let flatness = findings.flatness.as_ref();
+    let around = flatness.map(|flatness| flatness.windows_with(findings.club_alone.as_ref()));
     let of = best.search.outcome();
     let tables = InBoth::of(|system| {
         let mut document = Document::new("The optimum");
