@@ -111,6 +111,26 @@ def test_same_results_of_a_table_for_each_unit_of_angles() -> None:
             longdrive.batch(Setup(), points, angles="grad")  # type: ignore[arg-type]
 
 
+def test_degrees_are_refused_for_a_table_with_an_added_column() -> None:
+    pytest.importorskip("pandas")
+    frame = longdrive.batch("mae494", {"club.loft": [0.15, 0.2]}).to_pandas()
+    frame["swing.path"] = [0.0, 0.7]
+    with pytest.raises(InputError, match="^angles = 'deg': each column of points has"):
+        longdrive.batch("mae494", frame, angles="deg")
+    with pytest.warns(longdrive.LongdriveWarning) as warned:
+        table = longdrive.batch("mae494", frame)
+    assert table["club.loft"].tolist() == [0.15, 0.2]
+    assert "swing.path = 0.7 is 0.7 rad" in str(warned[0].message)
+
+
+def test_no_warning_about_an_angle_whose_column_has_a_unit() -> None:
+    pytest.importorskip("pandas")
+    frame = longdrive.batch("mae494", {"swing.path": [0.0, 0.1]}).to_pandas()
+    frame["swing.path"] = [0.0, 0.7]
+    frame["club.loft"] = [0.15, 0.2]
+    assert not longdrive.batch("mae494", frame).warnings
+
+
 def test_degrees_are_refused_for_a_file_of_points_whose_columns_have_units(tmp_path: Path) -> None:
     file = tmp_path / "points.csv"
     file.write_text("club.loft [rad]\n1\n", encoding="utf-8")

@@ -14,7 +14,7 @@ from .progress import follower
 from .quantities import contains_quantities, elements_of, is_quantity, to_si, tolerance_of
 from .setups import CallSetup
 from .table import Table
-from .tables import columns_of, points_in_si, warnings_of_results
+from .tables import columns_of, names_in_si, warnings_of_results
 
 if TYPE_CHECKING:
     from .progress import Progress
@@ -67,7 +67,7 @@ def batch(
         Keep ``flight.method`` and ``flight.step`` of the setup.
     angles : AngleUnit
         The unit of angles without a unit. ``"deg"`` is refused for a :class:`Table`, and for a
-        table that was made from one: their points are SI.
+        table that has the unit of a column, as one that was made from a Table: such points are SI.
     threads : int
         The number of threads; 0 for the number of processors of this process.
     progress : Progress
@@ -109,14 +109,12 @@ def batch(
     ) as show:
         check_unit(angles)
         call = CallSetup.of(setup, angles)
-        in_si = points_in_si(points)
-        if in_si is not None:
+        columns: Any = columns_of(points)
+        in_si = names_in_si(points, columns)
+        if in_si:
             refuse_degrees_of_points(angles)
-        columns: Any = columns_of(points) if in_si is None else in_si
-        is_bare = in_si is None and isinstance(columns, Mapping)
-        if is_bare:
-            columns = columns_in_radians(columns, angles)
         if isinstance(columns, Mapping):
+            columns = columns_in_radians(columns, angles)
             call.refuse_idle(name for name in columns if isinstance(name, str))
         table = computed(
             call.setup,
@@ -131,8 +129,9 @@ def batch(
             hessians=hessians,
         )
     table.warnings[:0] = [*call.warnings_of_drive, *warnings_of_results(points)]
-    if is_bare and angles == "rad":
-        table.warnings += warnings_of_columns(columns)
+    if isinstance(columns, Mapping) and angles == "rad":
+        bare = {name: columns[name] for name in columns if name not in in_si}
+        table.warnings += warnings_of_columns(bare)
     warn_of(table.warnings, table)
     return table
 

@@ -14,7 +14,14 @@ from .errors import InputError
 from .quantities import contains_quantities, elements_of, is_quantity
 from .table import Table
 
-__all__ = ["columns_of", "csv_of", "head_of", "points_in_si", "warnings_of_results"]
+__all__ = [
+    "columns_of",
+    "csv_of",
+    "head_of",
+    "names_in_si",
+    "points_in_si",
+    "warnings_of_results",
+]
 
 
 def columns_of(table: Any) -> Any:
@@ -81,11 +88,18 @@ def _columns_of_frame(table: Any) -> list[tuple[Any, Any]] | None:
     return None
 
 
-def points_in_si(table: Any) -> dict[str, Any] | None:
-    """The points of a table whose columns are known to be in SI; None for other tables.
+def names_in_si(table: Any, columns: Any) -> set[str]:
+    """The parameters of a table that are known to be in SI.
 
-    Such tables are a :class:`longdrive.Table`, and a table of pyarrow or pandas that was made from
-    one: its metadata or its ``attrs`` have the units.
+    Such are those of a :class:`longdrive.Table`, and those of a table of pyarrow or pandas that
+    was made from one: its metadata or its ``attrs`` have their units.
+
+    Parameters
+    ----------
+    table : Any
+        The table.
+    columns : Any
+        Its :func:`columns_of`.
 
     Raises
     ------
@@ -93,13 +107,12 @@ def points_in_si(table: Any) -> dict[str, Any] | None:
         For a parameter in another unit, and a lazy frame of polars.
     """
     if isinstance(table, Table):
-        return table.points
+        return set(table.parameters)
     if type(table).__name__ == "LazyFrame":
         raise InputError("a LazyFrame has no values before its collect(); give frame.collect()")
     units = _units_of(table)
-    columns: Any = columns_of(table) if units else None
-    if not isinstance(columns, dict):
-        return None
+    if not units or not isinstance(columns, dict):
+        return set()
     for name in columns:
         expected = _longdrive.unit_of(name)
         if expected is not None and units.get(name, expected) != expected:
@@ -107,7 +120,20 @@ def points_in_si(table: Any) -> dict[str, Any] | None:
                 f"the column '{name}' has the unit '{units[name]}'; expected '{expected}', as SI: "
                 "convert its values, and change the unit in the table"
             )
-    return columns if columns and all(name in units for name in columns) else None
+    return {name for name in columns if name in units}
+
+
+def points_in_si(table: Any) -> dict[str, Any] | None:
+    """The points of a table if all are known to be in SI; None for other tables.
+
+    Raises
+    ------
+    InputError
+        As :func:`names_in_si`.
+    """
+    columns: Any = columns_of(table)
+    names = names_in_si(table, columns)
+    return columns if names and len(names) == len(columns) else None
 
 
 def _units_of(table: Any) -> dict[str, str]:
