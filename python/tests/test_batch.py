@@ -386,6 +386,15 @@ def test_exact_numbers_of_32_bits_and_other_columns_of_a_frame(kind: str) -> Non
     assert table.warnings[0].endswith(": note")
 
 
+def test_a_row_of_a_frame_is_not_a_table() -> None:
+    pandas = pytest.importorskip("pandas")
+    row = pandas.DataFrame({"club.loft": [0.15, 0.2], "swing.path": [0.0, 0.0]}).iloc[0]
+    with pytest.raises(InputError, match="^points is a Series; expected a dict of parameters"):
+        longdrive.batch("mae494", row)
+    with pytest.raises(InputError, match="^points is a Series; expected a file, a dict of columns"):
+        longdrive.sweep("mae494", points=row)
+
+
 def test_results_among_the_columns_of_a_frame_are_named() -> None:
     pandas = pytest.importorskip("pandas")
     columns = {"swing.speed": [45.0, 50.0], "ball_speed": [60.0, 80.0], "launch_angle": [0.2, 0.3]}

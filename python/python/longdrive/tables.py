@@ -83,7 +83,8 @@ def _columns_of_frame(table: Any) -> list[tuple[Any, Any]] | None:
         return list(zip(table.column_names, table.itercolumns()))
     if hasattr(table, "iter_columns"):  # polars
         return [(column.name, column) for column in table.iter_columns()]
-    if hasattr(table, "items") and hasattr(table, "to_numpy"):  # pandas
+    # pandas: a Series, such as a row of a frame, has no `columns`
+    if all(hasattr(table, name) for name in ("items", "to_numpy", "columns")):
         return list(table.items())
     return None
 
