@@ -42,6 +42,16 @@ def test_same_rows_in_memory_and_in_a_file(question, tmp_path):
         np.testing.assert_array_equal(read, table[name], err_msg=name)
 
 
+@pytest.mark.parametrize("wrt", ["points", ["points"], ("points",), np.array(["points"])])
+def test_derivatives_by_the_swept_parameters_in_a_file(wrt, tmp_path):
+    over = {"club.loft": ("6 deg", "12 deg", 3)}
+    longdrive.sweep("mae494", over, wrt=wrt, output=tmp_path / "rows.csv")
+    heads = ["club.loft [rad]", "status", "carry [m]", "d_carry/d_club.loft [m/rad]"]
+    assert list(rows_of(tmp_path / "rows.csv")) == heads
+    plan = longdrive.parts.SweepPlan.of("mae494", over=over, wrt=wrt, output=tmp_path, parts=1)
+    assert "--gradient" in plan.words and "--wrt" not in plan.words
+
+
 def test_a_table_of_points_is_flown():
     loft = np.radians([8.0, 9.0, 10.0])
     table = longdrive.sweep("tour-average", points={"club.loft [rad]": loft}, wrt="club.loft")

@@ -19,6 +19,7 @@ from .angles import refuse_degrees_of_points
 from .arguments import count_of, kind_of, path_of, refuse_idle_seed
 from .errors import Error, InputError, Interrupted, warn_of
 from .quantities import elements_of
+from .sweeps import is_by_points
 
 if TYPE_CHECKING:
     from concurrent.futures import Future
@@ -170,7 +171,6 @@ class SweepPlan(NamedTuple):
         file = (
             None if points is None else path_of("points", points, "file that every worker can read")
         )
-        is_by_points = isinstance(wrt, str) and wrt == "points"
         request = Request(
             "sweep",
             {
@@ -180,8 +180,8 @@ class SweepPlan(NamedTuple):
                 "seed": seed,
                 "points": file,
                 "of": _joined("of", of),
-                "gradient": is_by_points,
-                "wrt": None if is_by_points or wrt is None else _joined("wrt", wrt) or None,
+                "gradient": is_by_points(wrt),
+                "wrt": None if is_by_points(wrt) or wrt is None else _joined("wrt", wrt) or None,
                 "histogram": histogram,
                 "highest": _best("highest", highest),
                 "lowest": _best("lowest", lowest),

@@ -11,6 +11,7 @@ from .arguments import count_of, refuse_idle_seed, switch_of
 from .batches import computed
 from .errors import InputError, interruptible, warn_of
 from .progress import follower
+from .quantities import elements_of
 from .replies import SweepReply
 from .reply import as_reply
 from .run_command import run_command
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from .progress import Progress
     from .types import Amount, AngleUnit, Given, Names, PathLike, SetupLike, TableLike
 
-__all__ = ["sweep"]
+__all__ = ["is_by_points", "sweep"]
 
 
 @overload
@@ -172,7 +173,7 @@ def sweep(
         "angles": angles,
     }
     if output is not None:
-        by = {"gradient": True} if isinstance(wrt, str) and wrt == "points" else {"wrt": wrt}
+        by = {"gradient": True} if is_by_points(wrt) else {"wrt": wrt}
         file = {
             "of": of,
             "tolerance": tolerance,
@@ -204,6 +205,16 @@ def sweep(
     table.warnings[:0] = [*call.warnings_of_drive, *warnings]
     warn_of(table.warnings, table)
     return table
+
+
+def is_by_points(wrt: Names | None) -> bool:
+    """True if `wrt` means the swept parameters: ``"points"``, also as the only element of a list.
+
+    Then the command has ``--gradient`` in place of ``--wrt``.
+    """
+    if isinstance(wrt, str):
+        return wrt == "points"
+    return hasattr(wrt, "__len__") and elements_of(wrt) == ("points",)
 
 
 def _points(
