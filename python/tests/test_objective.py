@@ -259,7 +259,9 @@ def test_swings_are_written_as_for_optimize_and_counts_are_named() -> None:
     )
     assert text.fun([0.19]) == named.fun([0.19])
     cases: list[tuple[dict[str, Any], str]] = [
-        ({"scenarios": -3}, "scenarios = -3; expected a whole number of 1 or more"),
+        ({"scenarios": -3}, "scenarios = -3; expected a whole number of 2 or more"),
+        ({"scenarios": 0}, "scenarios = 0; expected a whole number of 2 or more"),
+        ({"scenarios": 1}, "scenarios = 1; expected a whole number of 2 or more"),
         ({"seed": 2.5}, "seed = 2.5; expected a whole number"),
         ({"swings": {}}, "swings is a dict; expected the name of a file"),
     ]

@@ -318,7 +318,7 @@ def objective(
         swings,
         request.texts("distribution"),
         request.texts("correlation"),
-        None if scenarios is None else count_of("scenarios", scenarios, 1, MOST_SCENARIOS),
+        None if scenarios is None else count_of("scenarios", scenarios, 2, MOST_SCENARIOS),
         None if seed is None else count_of("seed", seed, most=MOST_SEED),
         strokes,
         tolerance_of(tolerance),
