@@ -142,12 +142,53 @@ def test_a_usual_drive_has_no_warnings() -> None:
         assert not longdrive.batch("winfield-tan", {"club.loft": [0.19, 0.2]}).warnings
 
 
-def test_calls_of_an_optimizer_have_no_warnings() -> None:
+def test_calls_of_an_optimizer_have_no_warnings_of_drives() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert longdrive.objective(FAST, "carry", "club.loft").fun([0.15]) > 0
         assert longdrive.gradient(FAST).value > 0
     assert longdrive.Setup(FAST) is not None and longdrive.simulate(FAST).warnings
+
+
+def outcome_of_jax(setup: Any) -> Any:
+    pytest.importorskip("jax")
+    import longdrive.jax
+
+    return longdrive.jax.outcome(setup, wrt="air.density")
+
+
+def outcome_of_torch(setup: Any) -> Any:
+    pytest.importorskip("torch")
+    import longdrive.torch
+
+    return longdrive.torch.outcome(setup, wrt="air.density")
+
+
+@pytest.mark.parametrize(
+    ("call", "kind"),
+    [
+        (lambda setup: longdrive.gradient(setup, wrt="air.density"), "Gradient"),
+        (lambda setup: longdrive.jacobian(setup, wrt="air.density"), "Jacobian"),
+        (lambda setup: longdrive.hessian(setup, wrt="air.density"), "Hessian"),
+        (lambda setup: longdrive.objective(setup, wrt="air.density"), "Objective"),
+        (outcome_of_jax, "OutcomeFunction"),
+        (outcome_of_torch, "OutcomeFunction"),
+    ],
+)
+def test_calls_of_an_optimizer_warn_of_their_setup(call: Callable[[Any], Any], kind: str) -> None:
+    of_club = "not used, since the drive is given by its launch: club.loft"
+    with pytest.warns(LongdriveWarning) as caught:
+        function = call(LAUNCHED)
+    assert [(str(one.message), one.filename) for one in caught] == [(of_club, __file__)]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(LongdriveWarning, match="^swing.path = 0.6 is 0.6 rad: ") as raised:
+            call(BARE)
+        assert type(raised.value.answer).__name__ == kind
+        if kind == "OutcomeFunction":
+            # the call that made the function has warned
+            assert callable(pickle.loads(pickle.dumps(raised.value.answer)))
+            pickle.loads(pickle.dumps(function))
 
 
 def test_a_fit_without_a_minimum_warns() -> None:

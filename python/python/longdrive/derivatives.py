@@ -17,6 +17,7 @@ from .arguments import (
 )
 from .errors import InputError, warn_of
 from .quantities import tolerance_of
+from .setups import CallSetup
 
 if TYPE_CHECKING:
     from .types import Amount, Floats, Given, Names, Sense, SetupLike
@@ -89,6 +90,12 @@ def gradient(
     NoAnswerError
         If the ball does not fly, or the derivative does not exist.
 
+    Warns
+    -----
+    LongdriveWarning
+        Of the setup, not of its drive: of its angles without a unit, and of values of the club that
+        a given launch replaces.
+
     Examples
     --------
     In a vacuum the ball flies along a parabola, and carry is inversely proportional to gravity:
@@ -101,7 +108,11 @@ def gradient(
     """
     of = one_name("of", of, "jacobian takes several")
     tolerance, own_step = tolerance_of(tolerance), switch_of("own_step", own_step)
-    return Gradient(*_longdrive.gradient(setup, of, wrt, tolerance, own_step))
+    call = CallSetup.of(setup)
+    call.refuse_idle()
+    answer = Gradient(*_longdrive.gradient(call.setup, of, wrt, tolerance, own_step))
+    warn_of(call.warnings_of_drive, answer)
+    return answer
 
 
 def jacobian(
@@ -140,6 +151,11 @@ def jacobian(
     NoAnswerError
         As :func:`gradient`.
 
+    Warns
+    -----
+    LongdriveWarning
+        As :func:`gradient`.
+
     Examples
     --------
     >>> import longdrive
@@ -149,7 +165,11 @@ def jacobian(
     ((2,), (2, 3))
     """
     tolerance, own_step = tolerance_of(tolerance), switch_of("own_step", own_step)
-    return Jacobian(*_longdrive.jacobian(setup, of, wrt, tolerance, own_step))
+    call = CallSetup.of(setup)
+    call.refuse_idle()
+    answer = Jacobian(*_longdrive.jacobian(call.setup, of, wrt, tolerance, own_step))
+    warn_of(call.warnings_of_drive, answer)
+    return answer
 
 
 def hessian(
@@ -188,6 +208,11 @@ def hessian(
     NoAnswerError
         As :func:`gradient`.
 
+    Warns
+    -----
+    LongdriveWarning
+        As :func:`gradient`.
+
     Examples
     --------
     >>> import longdrive
@@ -198,7 +223,11 @@ def hessian(
     """
     of = one_name("of", of, "batch with hessians=True takes several")
     tolerance, own_step = tolerance_of(tolerance), switch_of("own_step", own_step)
-    return Hessian(*_longdrive.hessian(setup, of, wrt, tolerance, own_step))
+    call = CallSetup.of(setup)
+    call.refuse_idle()
+    answer = Hessian(*_longdrive.hessian(call.setup, of, wrt, tolerance, own_step))
+    warn_of(call.warnings_of_drive, answer)
+    return answer
 
 
 def objective(
@@ -272,6 +301,11 @@ def objective(
         As :func:`gradient`, for unreadable swings, and for a parameter that the swings already
         give, also if a dict in place of a setup states it.
 
+    Warns
+    -----
+    LongdriveWarning
+        As :func:`gradient`.
+
     Examples
     --------
     >>> import longdrive
@@ -306,11 +340,10 @@ def objective(
     for name, text in (("sense", sense), ("invalid", invalid)):
         with whole_characters(name):
             str(text).encode()
-    request = Request(
-        "optimize", {"setup": setup, "distribution": distribution, "correlation": correlation}
-    )
+    call = CallSetup.of(setup)
+    request = Request("optimize", {"distribution": distribution, "correlation": correlation})
     found = _longdrive.Objective(
-        request.setup,
+        call.setup,
         one_name("of", of, "jacobian takes several"),
         [wrt] if isinstance(wrt, str) else wrt,
         sense,
@@ -323,7 +356,7 @@ def objective(
         strokes,
         tolerance_of(tolerance),
         switch_of("own_step", own_step),
-        request.stated,
+        call.stated,
     )
-    warn_of(request.warnings, found)
+    warn_of([*call.warnings_of_drive, *request.warnings], found)
     return found

@@ -94,7 +94,7 @@ class LongdriveWarning(UserWarning):
 
     answer: Any
     """The result: a :class:`Drive`, a :class:`Table`, an :class:`Optimum` or another
-    :class:`Reply`, a :class:`Picture`, a :class:`Setup`."""
+    :class:`Reply`, a :class:`Picture`, a :class:`Setup`, derivatives, a function."""
 
     def __init__(self, message: str, answer: Any = None) -> None:
         super().__init__(message)

@@ -67,6 +67,11 @@ def outcome(
     InputError
         For an unknown name, and for x of another shape.
 
+    Warns
+    -----
+    LongdriveWarning
+        As :func:`longdrive.gradient`.
+
     Examples
     --------
     >>> import jax, longdrive.jax

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +11,7 @@ import numpy as np
 from . import _longdrive
 from .arguments import switch_of
 from .batches import computed
-from .errors import InputError, warn_of
+from .errors import InputError, LongdriveWarning, warn_of
 from .quantities import tolerance_of
 from .setups import CallSetup
 
@@ -44,8 +45,8 @@ class Pointwise:
     ) -> None:
         call = CallSetup.of(setup)
         call.refuse_idle()
-        warn_of(call.warnings, call.setup)
         self.setup = call.setup
+        self.warnings = call.warnings_of_drive
         self.is_single = isinstance(of, str) and of != "all"
         names = _longdrive.requested_names(self.setup, of, wrt)
         self.of: list[str] = names[0]
@@ -91,8 +92,8 @@ class Pointwise:
         lead = x.shape[:-1]
         rows = np.asarray(x, dtype=np.float64).reshape(-1, len(self.wrt))
         points = {name: rows[:, k] for k, name in enumerate(self.wrt)}
-        # drop the warnings: an optimizer calls this very often; simulate and Setup.warnings
-        # give them
+        # drop the warnings of the drives: an optimizer calls this very often; simulate and
+        # Setup.warnings give them
         by = self.wrt if order else None
         table = computed(
             self.setup,
@@ -125,6 +126,7 @@ class OutcomeFunction:
         self._call = call
         self.__name__ = "outcome"
         self.__doc__ = f"{', '.join(point.of)} of x = ({', '.join(point.wrt)}), SI."
+        warn_of(point.warnings, self)
 
     def __call__(self, x: Any) -> Any:
         return self._call(x)
@@ -141,4 +143,7 @@ def _outcome_of(
     outcome: Callable[..., Callable[[Any], Any]], arguments: tuple[Any, ...]
 ) -> Callable[[Any], Any]:
     *given, tolerance, own_step = arguments
-    return outcome(*given, tolerance=tolerance, own_step=own_step)
+    with warnings.catch_warnings():
+        # the call that made the function has issued these warnings
+        warnings.simplefilter("ignore", LongdriveWarning)
+        return outcome(*given, tolerance=tolerance, own_step=own_step)

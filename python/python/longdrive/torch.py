@@ -64,6 +64,11 @@ def outcome(
     InputError
         For an unknown name, and for x of another shape.
 
+    Warns
+    -----
+    LongdriveWarning
+        As :func:`longdrive.gradient`.
+
     Examples
     --------
     >>> import torch, longdrive.torch
