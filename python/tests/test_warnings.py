@@ -191,6 +191,13 @@ def test_calls_of_an_optimizer_warn_of_their_setup(call: Callable[[Any], Any], k
             pickle.loads(pickle.dumps(function))
 
 
+def test_an_attribute_of_an_optimum_does_not_warn() -> None:
+    best = longdrive.optimize(LAUNCHED, vary={"launch.launch_angle": ("5 deg", "20 deg")})
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert best.hess is not None and best.hess.shape == (1, 1)
+
+
 def test_a_fit_without_a_minimum_warns() -> None:
     # carry does not distinguish drag from lift at one launch
     shots = {
