@@ -7,6 +7,7 @@ import os
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -22,6 +23,7 @@ __all__ = [
     "nearest_outcome",
     "no_attribute",
     "one_name",
+    "outcome_names",
     "path_of",
     "refuse_idle_seed",
     "refuse_stated_launch",
@@ -72,9 +74,15 @@ def no_attribute(owner: object, name: str, advice: str) -> AttributeError:
     )
 
 
+@cache
+def outcome_names() -> frozenset[str]:
+    """The names of all outcomes."""
+    return frozenset(row["name"] for row in _longdrive.outcomes())
+
+
 def nearest_outcome(name: str) -> str:
     """An outcome as an example in a message: ``name`` if it is an outcome, else carry."""
-    return name if any(row["name"] == name for row in _longdrive.outcomes()) else "carry"
+    return name if name in outcome_names() else "carry"
 
 
 _MEASURED_LAUNCH = (

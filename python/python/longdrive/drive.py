@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _longdrive
-from .arguments import nearest_outcome, no_attribute, switch_of
+from .arguments import nearest_outcome, no_attribute, outcome_names, switch_of
 from .errors import UnknownKeyError, warn_of
 from .quantities import tolerance_of
 from .setups import CallSetup
@@ -138,7 +138,7 @@ class Drive(Mapping[str, "float | None"]):
             return self.outcomes[name]
         except KeyError:
             pass
-        if any(row["name"] == name for row in _longdrive.outcomes()):
+        if name in outcome_names():
             raise UnknownKeyError(
                 f"'{name}' was not requested; this drive has "
                 f"{', '.join(self.outcomes)}; add '{name}' to of, as in simulate(…, of=[…])"

@@ -23,10 +23,9 @@ _SHOWN_ROWS = 10
 
 def html_of_drive(drive: Drive) -> str:
     """The outcomes of a drive with their units."""
-    si = {row["name"]: row["si"] for row in _longdrive.outcomes()}
 
     def row(name: str, value: float | None) -> str:
-        shown = "" if value is None else f"{value:.6g} {si.get(name, '')}"
+        shown = "" if value is None else f"{value:.6g} {_longdrive.unit_of(name) or ''}"
         return f"<tr><td>{escape(name.replace('_', ' '))}</td><td>{escape(shown)}</td></tr>"
 
     rows = "".join(row(name, value) for name, value in drive.outcomes.items())

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from functools import cache
 from typing import Any
 
 import numpy as np
 
 from . import _longdrive
-from .arguments import kind_of
+from .arguments import kind_of, outcome_names
 from .errors import InputError
 from .quantities import contains_quantities, elements_of, is_quantity
 from .table import Table
@@ -52,12 +51,7 @@ def columns_of(table: Any) -> Any:
 def _is_result(name: str) -> bool:
     """True for the name of a status, an outcome or a derivative in a table of results."""
     is_derivative = name.startswith("d_") and "/d_" in name
-    return name == "status" or is_derivative or name in _outcomes()
-
-
-@cache
-def _outcomes() -> frozenset[str]:
-    return frozenset(row["name"] for row in _longdrive.outcomes())
+    return name == "status" or is_derivative or name in outcome_names()
 
 
 def warnings_of_results(table: Any) -> list[str]:
