@@ -151,7 +151,13 @@ def test_views_share_the_columns(table: Table) -> None:
     for some in (slice(2, 10, 3), slice(None, None, -1), slice(-5, None)):
         assert table[some].first_row == rows[some][0]
     assert part[5:].first_row == 1005
+    assert table[::-1][2:].first_row == rows[::-1][2:][0]
+    assert table[::3][2:].first_row == rows[::3][2:][0]
     assert Table.concatenate([table[:1000], part, table[2000:]]) == table
+    assert Table.concatenate([part, table[2000:]]).first_row == 1000
+    for parts in ([part, table[:1000]], [part, part], [table[:4:2], table[4:]]):
+        assert Table.concatenate(parts).first_row is None
+        assert Table.concatenate([*parts, table])[1:].first_row is None
     with pytest.raises(
         KeyError,
         match="unknown column 'cary'; did you mean 'carry'. the columns are club.loft, swing.speed, status, carry",

@@ -243,7 +243,7 @@ def computed(
         parameters=parameters,
         units=found.units,
         hessians=None if found.hessians is None else found.hessians[:done],
-        first_row=first_row,
+        rows=range(first_row, first_row + done),
         warnings=found.warnings,
         setup=setup,
     )

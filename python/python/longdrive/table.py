@@ -81,7 +81,7 @@ class Table:
         parameters: Sequence[str],
         units: Sequence[str],
         hessians: Floats | None = None,
-        first_row: int = 0,
+        rows: range | None,
         warnings: Sequence[str] = (),
         setup: Setup | None = None,
     ) -> None:
@@ -101,12 +101,19 @@ class Table:
         self._units = tuple(units)
         self.hessians = hessians
         """Second derivatives, shape (rows, outcomes, parameters, parameters), if requested."""
-        self.first_row = first_row
-        """The index of this table's first row among all points of the request, from 0."""
+        self._rows = rows
         self.warnings = list(warnings)
         """Warnings about all drives of the request, also in a table of some of its rows."""
         self.setup = setup
         """The setup of all drives, without the values of the points."""
+
+    @property
+    def first_row(self) -> int | None:
+        """The index of this table's first row among all points of the request, from 0.
+
+        None for joined tables that do not follow each other in one request.
+        """
+        return None if self._rows is None else self._rows.start
 
     @property
     def values(self) -> Floats:
@@ -220,7 +227,6 @@ class Table:
                 f"a table has columns by name and rows by slice; {kind} is neither: index its "
                 f"columns, as in table['{self.of[0]}'][…]"
             )
-        start, _, _ = key.indices(len(self))
         return Table(
             status=self.status[key],
             columns=self._columns[:, key],
@@ -230,7 +236,7 @@ class Table:
             parameters=self.parameters,
             units=self._units,
             hessians=None if self.hessians is None else self.hessians[key],
-            first_row=self.first_row + max(start, 0),
+            rows=None if self._rows is None else self._rows[key],
             warnings=self.warnings,
             setup=self.setup,
         )
@@ -329,7 +335,7 @@ class Table:
             parameters=first.parameters,
             units=first._units,
             hessians=np.concatenate(seconds) if seconds else None,
-            first_row=first.first_row,
+            rows=_joined_rows([table._rows for table in tables]),
             warnings=list(dict.fromkeys(text for table in tables for text in table.warnings)),
             setup=first.setup,
         )
@@ -344,7 +350,7 @@ class Table:
             "parameters": self.parameters,
             "units": self._units,
             "hessians": self.hessians,
-            "first_row": self.first_row,
+            "rows": self._rows,
             "warnings": self.warnings,
             "setup": self.setup,
         }
@@ -405,6 +411,19 @@ def _refuse_difference(first: Table, other: Table, number: int) -> None:
         f"tables 1 and {number} are of different setups: {shown}{more}; a table is of one setup: "
         "give what differs as a parameter of the points, or keep the tables apart"
     )
+
+
+def _joined_rows(parts: Sequence[range | None]) -> range | None:
+    """The rows of joined tables; None unless each table begins where the one before ends."""
+    first = parts[0]
+    if first is None:
+        return None
+    end = first.start
+    for rows in parts:
+        if rows is None or rows.start != end or rows.step != 1:
+            return None
+        end = rows.stop
+    return range(first.start, end)
 
 
 def _unpickled(fields: dict[str, Any]) -> Table:
