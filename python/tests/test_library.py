@@ -203,6 +203,19 @@ def test_axes_and_output_exclude_each_other(tmp_path: Path) -> None:
         longdrive.plot.trajectory(ax=ax, output=tmp_path / "drive.svg")
 
 
+@pytest.mark.parametrize("stated", [{"width": 900}, {"dark": True}])
+def test_axes_refuse_size_and_colours_of_a_picture(stated: dict[str, Any]) -> None:
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    pyplot.switch_backend("agg")
+    figure, ax = pyplot.subplots()
+    ((name, value),) = stated.items()
+    message = f"^{name} = {value} is about a picture, and ax has its own size and colours; leave"
+    with pytest.raises(InputError, match=message):
+        longdrive.plot.trajectory("mae494", ax=ax, **stated)
+    assert not ax.has_data()
+    pyplot.close(figure)
+
+
 def test_metadata_of_the_package() -> None:
     metadata = importlib.metadata.metadata("longdrive")
     assert set(metadata.get_all("License-File") or []) == {"LICENSE-MIT", "LICENSE-APACHE"}

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from . import _longdrive
 from ._longdrive import Setup
 from .angles import BareAngles, check_unit
-from .arguments import kind_of, refuse_stated_launch, switch_of, whole_characters
+from .arguments import kind_of, refuse_stated_launch, shown, switch_of, whole_characters
 from .axes import check_axes
 from .conversion import FILES, Converter, Value, refuse_empty
 from .errors import InputError
@@ -150,6 +150,7 @@ class Request:
         """Makes the command keep a picture, or the rows of shots, in memory."""
         if arguments.get("ax") is not None:
             check_axes(arguments["ax"])
+            _refuse_picture(arguments)
             self.axes = arguments["ax"]
         if arguments.get("format") is not None:
             raise InputError(
@@ -193,6 +194,20 @@ class Request:
         values = self.values.get(options_of(self.command)[name].name, [])
         listed = values if isinstance(values, list) else [values]
         return [_longdrive.word_of(value) for value in listed]
+
+
+def _refuse_picture(arguments: Mapping[str, Any]) -> None:
+    """Refuses size and colours of a picture beside axes, which have their own."""
+    stated = {
+        "width": arguments.get("width") is not None,
+        "dark": switch_of("dark", arguments.get("dark", False)),
+    }
+    for name in stated:
+        if stated[name]:
+            raise InputError(
+                f"{name} = {shown(arguments[name])} is about a picture, and ax has its own size "
+                f"and colours; leave {name} out"
+            )
 
 
 def _takes_table(option: Option) -> bool:
