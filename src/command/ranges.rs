@@ -31,8 +31,8 @@ fn launch_ranges(setup: &Setup<f64>) -> [String; 2] {
     ]
 }
 
-/// The default ranges of a search over one drive: loft and attack angle; none if the setup gives the
-/// launch of the ball.
+/// The default ranges of a search over one drive: loft and attack angle; none if the setup gives
+/// the launch of the ball.
 ///
 /// # Errors
 /// The errors of [`Search::longest_drive`].

@@ -18,7 +18,7 @@ pub struct SearchedDrives {
     pub setup: Setup<f64>,
     /// The swings; `None` for one drive.
     pub swings: Option<Swings>,
-    /// The options of the swings; without a value for one drive.
+    /// The options of the swings; all are unset for one drive.
     pub args: SwingsArgs,
     /// The table of expected strokes, if one is given.
     strokes: Option<Strokes>,
@@ -73,8 +73,8 @@ impl SearchedDrives {
     /// or an expression of parameters.
     ///
     /// # Errors
-    /// [`Error::Constraint`]; [`Error::Unreadable`] for a table of strokes that neither an objective
-    /// nor a constraint uses.
+    /// [`Error::Constraint`]; [`Error::Unreadable`] for a table of strokes that neither an
+    /// objective nor a constraint uses.
     pub fn limits<const N: usize>(
         &self,
         setup: &Setup<f64>,

@@ -39,6 +39,7 @@ pub fn explain(mut error: clap::Error) -> u8 {
             .unwrap_or_default();
         let message = text.trim().trim_start_matches("error:").trim();
         let message = with_named_arguments(message, &error);
+        // an error of the output is ignored: the parser's error is reported already
         let _ = Answer::none("error", message).print();
     }
     u8::try_from(error.exit_code()).unwrap_or(2)

@@ -79,6 +79,10 @@ fn unquoted_constraint(left_over: &str) -> Option<String> {
     if option_of(&words[option].to_string_lossy()) != "--subject-to" {
         return None;
     }
+    let has_sign = |word: &std::ffi::OsString| word.to_string_lossy().contains(['<', '>']);
+    if words[option..left_over].iter().any(has_sign) {
+        return None;
+    }
     Some(quotes_advice())
 }
 

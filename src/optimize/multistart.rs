@@ -47,8 +47,8 @@ pub struct Observers {
 }
 
 impl Observers {
-    /// The observer of search `number`: its callback, its models and the interrupt flag, without the
-    /// checkpoint.
+    /// The observer of search `number`: its callback, its models and the interrupt flag, without
+    /// the checkpoint.
     pub(crate) fn of_search(&self, number: usize) -> Observer {
         let mut observer = Observer {
             interrupt: self.interrupt.clone(),

@@ -471,9 +471,9 @@ impl Follower<'_> {
             options,
             ..self.search.clone()
         };
-        let search = OptimumSearch::new(&setup, search, &self.observer.interrupt)?;
-        let start = search.problem.start();
-        let best = search.local_optimum(&start, self.observer.search(), None)?;
+        let solver = OptimumSearch::new(&setup, search, &self.observer.interrupt)?;
+        let start = solver.problem.start();
+        let best = solver.local_optimum(&start, self.observer.search(), None)?;
         let apart = relative_distance(&best.solution.x, &predicted, &bounds);
         Ok((point(to, best)?, apart))
     }

@@ -278,11 +278,11 @@ pub(super) fn stopped_of(
 /// parameter that both the search and the swings vary; the errors of [`Setup::validate`];
 /// [`Error::NotConverged`] if the search is interrupted before it begins.
 pub fn optimum(setup: &Setup<f64>, search: Search, observer: Observer) -> Result<Optimum> {
-    let of = OptimumSearch::new(setup, search, &observer.interrupt)?;
-    let mut best = of.minimized(&of.problem.start(), observer)?;
-    let sample = of.improved(&mut best, Observer::default)?;
-    let goals = of.goals(&best);
-    of.optimum(best, goals, sample)
+    let search = OptimumSearch::new(setup, search, &observer.interrupt)?;
+    let mut best = search.minimized(&search.problem.start(), observer)?;
+    let sample = search.improved(&mut best, Observer::default)?;
+    let goals = search.goals(&best);
+    search.optimum(best, goals, sample)
 }
 
 /// Searches in parallel from the setup's own values and from starts spread evenly over the ranges.
@@ -313,6 +313,8 @@ pub(super) struct OptimumSearch {
 }
 
 impl OptimumSearch {
+    /// Prepares a search, and computes its goals as set up over swings.
+    ///
     /// # Errors
     /// The errors of [`optimum`].
     pub fn new(setup: &Setup<f64>, search: Search, interrupt: &Arc<AtomicBool>) -> Result<Self> {

@@ -420,7 +420,8 @@ impl SearchProblem {
         values.map(|value| value.unwrap_or(f64::NAN)).collect()
     }
 
-    /// Values of the goals of a setup with this design, as [`goals_at`](Self::goals_at) defines them.
+    /// Values of the goals of a setup with this design, as [`goals_at`](Self::goals_at) defines
+    /// them.
     fn goals_of_setup(
         &self,
         setup: &Setup<f64>,

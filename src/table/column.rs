@@ -54,7 +54,8 @@ pub(crate) struct Column {
     pub positive_side: Option<CellSide>,
     /// True if cells describe the weather by a text; the air density is computed from it.
     pub is_weather: bool,
-    /// Kind of the labels in its cells, if the column of an export says which shot a row is.
+    /// Kind of the cells, if the column belongs to an export: [`Label::Name`] where `Average` names
+    /// a statistic of other rows.
     pub(super) label: Option<Label>,
 }
 

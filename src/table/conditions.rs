@@ -7,7 +7,8 @@ use crate::drive::Outcome;
 /// An error in the launch conditions of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ConditionFault {
-    /// Category of the [`Refusal`]: a missing value, or an invalid one.
+    /// Category of the [`Refusal`]: [`MISSING`](Refusal::MISSING), [`RANGE`](Refusal::RANGE) or
+    /// [`SPIN`](Refusal::SPIN).
     pub kind: &'static str,
     /// The condition at fault.
     pub of: Outcome,

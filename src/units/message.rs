@@ -36,7 +36,7 @@ enum MessagePart {
 pub enum Digits {
     /// At most this number of significant digits.
     Significant(usize),
-    /// As many as a launch monitor shows.
+    /// The digits that a launch monitor shows.
     LaunchMonitor,
     /// One decimal more than a launch monitor shows, for computed settings such as an optimum's
     /// loft.

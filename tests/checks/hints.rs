@@ -67,6 +67,18 @@ fn pieces_of_a_constraint_without_quotes_get_the_advice_on_quotes() {
             printed.err
         );
     }
+    let quoted = [
+        "optimize",
+        "--subject-to=carry > 200yd",
+        "tour-average",
+        "extra",
+    ];
+    let printed = longdrive(&quoted);
+    assert!(
+        printed.status == 2 && !printed.err.contains("in quotes"),
+        "{}",
+        printed.err
+    );
     for words in [
         &["simulate", "--speed", "95", "mph"][..],
         &["simulate", "--attack", "-2", "deg"],

@@ -166,7 +166,8 @@ fn random_ranges(n: usize, setup: &Setup<f64>, part: f64) -> Vec<Vary> {
         "wind.downrange",
         "gravity",
     ];
-    // each stride from 1 to 6 visits all seven names, because 7 is prime
+    // 28 sweeps begin at each name, with each number of parameters; the stride grows with every 28.
+    // Each stride from 1 to 6 visits all seven names, because 7 is prime
     let by = (0..=n % 4).map(|i| names[(n / 4 + i * (1 + n / 28 % 6)) % 7]);
     by.map(|name| {
         let value = setup.value(setup.variable(name).unwrap()).unwrap();
@@ -187,7 +188,7 @@ fn within_a_micrometre(
     parts: &[f64; 2],
     errors: impl Fn(&Setup<f64>, &[Vary]) -> Option<Errors> + Sync,
 ) {
-    let sweeps = std::env::var("LONGDRIVE_SWEEPS").map_or(20, |text| text.parse().unwrap());
+    let sweeps = std::env::var("LONGDRIVE_SWEEPS").map_or(28, |text| text.parse().unwrap());
     let setups: Vec<_> = random_setups(sweeps).collect();
     let look = |(n, setup): (usize, &Setup<f64>)| {
         let ranges = random_ranges(n, setup, parts[n / 4 % 2]);
@@ -219,7 +220,7 @@ fn within_a_micrometre(
         );
     }
     assert!(
-        swept > setups.len() / 10 * 9 && landed > 80 * swept,
+        10 * swept > 9 * setups.len() && landed > 80 * swept,
         "{landed} rows of {swept}"
     );
     assert_eq!(checked.0, 0, "{checked:?}");

@@ -263,8 +263,8 @@ impl Robust {
             let Some(design) = self.better_design(of) else {
                 continue;
             };
-            let search = OptimumSearch::comparable(&best.start, &best.search, follow)?;
-            let again = search.local_optimum(design, follow.of_search(0), best.sample)?;
+            let solver = OptimumSearch::comparable(&best.start, &best.search, follow)?;
+            let again = solver.local_optimum(design, follow.of_search(0), best.sample)?;
             if again.solution.status == Status::Interrupted {
                 return Err(not_found(model, again.status(), again.message()));
             }
@@ -427,8 +427,8 @@ fn best_of_each(
     follow: &Observers,
 ) -> Result<Vec<(Model, Optimum)>> {
     let best = |model: Model| {
-        let search = OptimumSearch::comparable(&model.setup, search, follow)?;
-        let optima = search.optima(count, follow)?;
+        let solver = OptimumSearch::comparable(&model.setup, search, follow)?;
+        let optima = solver.optima(count, follow)?;
         if let Some(interrupted) = optima.interrupted() {
             let status = Status::Interrupted.name();
             return Err(not_found(&model, status, interrupted.into()));

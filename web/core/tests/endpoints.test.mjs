@@ -415,6 +415,11 @@ test('malformed input gets a message and never a trap', async () => {
     const bytes = Uint8Array.from({ length: Math.floor(40 * next()) }, () => Math.floor(256 * next()));
     isAnswered(call(bytes));
   }
+  // heads that name no function, or more than one
+  for (const head of [{}, { nonsense: {} }, { step: good.step, drive: good.drive }, 'step', []]) {
+    const text = new TextEncoder().encode(JSON.stringify(head));
+    assert.equal(call(text).status, 'error');
+  }
   assert.ok(instance.exports.memory.buffer.byteLength < 1 << 28);
 });
 
