@@ -133,6 +133,7 @@ fn searched(setup: &Setup<f64>, goals: &[String], scenarios: Scenarios) -> Optim
 /// goals, and are small compared with the scatter of the outcome. One to five parameters vary, by
 /// Gauss's rules or by sequences. The true value is computed by a rule with 2.5 times as many
 /// nodes, or from 16,384 other swings if a goal has an edge or if the rule is a sequence.
+/// One goal is missed by the error of these swings; from 65,536 swings none is.
 #[test]
 fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
     let mut random = Random::seeded(51);
