@@ -37,8 +37,8 @@ impl Sigma {
     /// [`Error::Unreadable`] for an amount that is not positive, and for a percentage of a value that
     /// is 0, unset, or a temperature; the errors of [`Setup::variable`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
-        let parameter = Self::named(setup, text)?;
-        let amount = text.split_once('=').map_or("", |(_, amount)| amount);
+        let (name, amount) = name_and_amount(text)?;
+        let parameter = setup.variable(name)?;
         let unreadable = |source| unreadable(text, source);
         let value =
             amount_of(setup, parameter, amount, AmountKind::Deviation).map_err(unreadable)?;
@@ -65,13 +65,8 @@ impl Sigma {
     /// # Errors
     /// [`Error::Unreadable`] for a text without `=`; the errors of [`Setup::variable`].
     pub fn named(setup: &Setup<f64>, text: &str) -> Result<&'static Parameter> {
-        match text.split_once('=') {
-            Some((name, _)) => setup.variable(name.trim()),
-            None => {
-                let source = "write NAME=AMOUNT, for example swing.speed=1mph or air.density=0.5%";
-                Err(unreadable(text, source.into()))
-            }
-        }
+        let (name, _) = name_and_amount(text)?;
+        setup.variable(name)
     }
 
     /// Checks that the setup has the parameter and that the value is valid. Only uncertainties
@@ -95,6 +90,15 @@ impl Sigma {
             source,
         ))
     }
+}
+
+/// The name and the amount of a text `NAME=AMOUNT`.
+fn name_and_amount(text: &str) -> Result<(&str, &str)> {
+    if let Some((name, amount)) = text.split_once('=') {
+        return Ok((name.trim(), amount));
+    }
+    let source = "write NAME=AMOUNT, for example swing.speed=1mph or air.density=0.5%";
+    Err(unreadable(text, source.into()))
 }
 
 /// The error for a text `NAME=AMOUNT`.
